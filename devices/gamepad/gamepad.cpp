@@ -17,9 +17,9 @@ using toolkit::Vec3;
 
 namespace {
 
-constexpr double kRetry = 0.25;  // s between two looks for a pad that was pulled out
-constexpr double kBatteryEach = 5;  // s between two looks at its battery, which takes hours
-constexpr double kLow = 0.2;        // charge of which a person is told
+constexpr double kRetry = 0.25;  // s between two searches for a pad that was unplugged
+constexpr double kBatteryEach = 5;  // s between two reads of its battery level, which changes over hours
+constexpr double kLow = 0.2;        // charge below which the person is warned
 
 double now_s() {
   timespec t;
@@ -27,9 +27,9 @@ double now_s() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// A pad that is plugged in and may not be read, "" when there is none.
+/// Name of a pad that is plugged in but may not be read, "" when there is none.
 std::string closed_pad() {
-  constexpr uint16_t kSony = 0x054c, kNintendo = 0x057e;  // whose pads SDL reads by hidraw
+  constexpr uint16_t kSony = 0x054c, kNintendo = 0x057e;  // vendor ids of pads that SDL reads by hidraw
   for (const nodes::Tells kind : {nodes::Tells::kPad, nodes::Tells::kJoystick})
     if (std::string pad = nodes::closed_input(kind); !pad.empty()) return pad;
   const std::string pad = nodes::closed_of_maker(kSony);
@@ -47,7 +47,7 @@ void Gamepad::build(const P& params, DeviceBuilder& builder) {
   }
 }
 
-// the first pad of that name
+// opens the first pad with the wanted name
 bool Gamepad::find() {
   const std::string& wanted = found_.empty() ? params().pad : found_;
   for (int i = 0; i < sdl_->NumJoysticks(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.gamepad: a game pad as a hand. Sticks are speeds, triggers are jaws; one instrument with both halves, or one with each.
+// swage.device.gamepad: a game pad as a hand. Sticks set velocities, triggers the jaws; one instrument with both halves, or one with each.
 // See gamepad.md.
 #pragma once
 
@@ -84,7 +84,7 @@ class Gamepad final : public TellingDevice<GamepadParams> {
 
   const Sdl* sdl_ = nullptr;
   SdlController* pad_ = nullptr;
-  std::string found_;  // name of the pad that was found first: only one like it takes its place
+  std::string found_;  // name of the first pad found: only a pad of that name replaces it
   rate::RateHand hand_;
   double closure_ = 0, last_s_ = 0, tried_s_ = 0;
   double battery_ = kNotKnown, battery_s_ = 0;

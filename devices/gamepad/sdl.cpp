@@ -55,7 +55,7 @@ const Sdl* load_sdl(std::string& why) {
     return nullptr;
   }
   if (!find_all(library, sdl, why)) return nullptr;
-  // no window of SDL is ever in front, Ctrl-C stays ours, and nobody empties its queue of events
+  // events also without an SDL window in front; Ctrl-C stays the program's; no event queue, as nobody would empty it
   sdl.SetHint("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1");
   sdl.SetHint("SDL_NO_SIGNAL_HANDLERS", "1");
   if (sdl.InitSubSystem(kInitGameController) != 0) {

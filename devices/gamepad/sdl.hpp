@@ -36,10 +36,10 @@ struct Sdl {
   int (*JoystickCurrentPowerLevel)(SdlJoystick*);
 };
 
-/// Charge of a battery, the upper end of what SDL's level (SDL_JOYSTICK_POWER_*) says; NaN for a wire and where it is not known.
+/// Charge of a battery, 0..1: the upper limit of SDL's level (SDL_JOYSTICK_POWER_*); NaN for a wired pad or an unknown level.
 double battery_of(int level);
 
-/// One for the process, never unloaded. nullptr with a sentence: what is missing and how it is had. [main]
+/// SDL, loaded once per process and never unloaded. nullptr, and in `why` a sentence: what is missing and how to get it. [main]
 const Sdl* load_sdl(std::string& why);
 
 }  // namespace swage::gamepad

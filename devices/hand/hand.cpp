@@ -37,7 +37,7 @@ Quat read_orientation(const Reader& reader, const Json& key, const Quat& before,
   return read_attitude(reader, key, where);
 }
 
-/// Turns the pose before about a line in the world.
+/// Reads a rotation of the previous pose about a line in the world.
 void read_turn(const Reader& reader, const Json& turn, Key& key, const std::string& where) {
   if (!turn.is_object() || turn.size() != 3 || !turn.contains("about") || !turn.contains("axis") ||
       !turn.contains("angle")) {
@@ -93,7 +93,7 @@ Key read_sample(const Reader& reader, const Json& value, const std::string& wher
   Key key;
   key.t = n[0];
   key.X_WT.p = Vec3(n[1], n[2], n[3]);
-  // a recorded quaternion is kept bit for bit when it is a unit one already
+  // a recorded quaternion keeps its bits when it is already of unit length
   const Quat q(n[4], n[5], n[6], n[7]);
   key.X_WT.q = std::abs(q.squaredNorm() - 1) < 1e-12 ? q : unit_quat(reader, q, where);
   key.closure = n[8];
@@ -159,7 +159,7 @@ Hand parse_hand(const std::string& text, const std::string& name) {
 Hand load_hand(const std::string& path) { return parse_hand(text_of(path), path); }
 
 Moment Hand::at(double t, Between between) const noexcept {
-  // the keys on both sides of t; at the ends the same one twice
+  // the keys before and after t; at the ends twice the same one
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), t, [](double x, const Key& k) { return x < k.t; });
   const Key& k0 = after == keys.begin() ? keys.front() : *(after - 1);
@@ -169,7 +169,7 @@ Moment Hand::at(double t, Between between) const noexcept {
   const double span = k1.t - k0.t;
   if (!(span > 0) || between == Between::kHold) return m;
 
-  // share of the way u and its rate: 10 x^3 - 15 x^4 + 6 x^5 is the path of least jerk between two rests
+  // share u of the path and its rate: 10 x^3 - 15 x^4 + 6 x^5 is the minimum-jerk path between two rests
   const double x = (t - k0.t) / span;
   const bool smooth = between == Between::kMinimumJerk;
   const double u = smooth ? x * x * x * (10 + x * (-15 + 6 * x)) : x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A hand on file: where the tool frame T is at what time and how far the handle is closed. Format
+// A recorded or written hand motion: pose of the tool frame T and closure of the handle over time. Format
 // "swage-hand/1".
 //
 //   { "format": "swage-hand/1", "title": "...",
@@ -12,11 +12,11 @@
 //     with grip [N]
 //
 // Poses are X_WT, world frame, metres. Numbers are SI or strings with a unit (m mm um, s ms, rad deg, N mN).
-// What a key leaves out stays as it was. An orientation is one of
+// A field that a key omits keeps its value. An orientation is one of
 //   "q": [w, x, y, z]      "rpy": [roll, pitch, yaw] about the fixed x, y, z axes in this order
-//   "axis" and "closing": the directions of T's x (hinge to tip) and z (right to left jaw); z is made square
+//   "axis" and "closing": the directions of T's x (hinge to tip) and z (right to left jaw); z is made perpendicular
 //   to x
-// Instead of a pose a key may turn the tool about a line in the world, on a circle and not on its chord, as a
+// Instead of a pose a key may rotate the tool about a line in the world, on a circle instead of its chord, as a
 // needle is driven along its own arc:
 //   "turn": { "about": [x, y, z], "axis": [x, y, z], "angle": "90 deg" }
 #pragma once
@@ -39,12 +39,12 @@ struct Key {
   Pose X_WT;
   double closure = 0;           // 0 open .. 1 closed
   double grip = 0;              // N at the handle, when the file has it
-  bool turns = false;           // gets here on a circle from the key before:
+  bool turns = false;           // reached on a circle from the key before:
   Vec3 about_W = Vec3::Zero();  // m, a point of the line
   Vec3 turn_W = Vec3::Zero();   // rad, rotation vector
 };
 
-/// What the hand does at one moment.
+/// State of the hand at one time.
 struct Moment {
   Pose X_WT;
   Vec3 v_W = Vec3::Zero();  // m/s, of T's origin
@@ -54,7 +54,7 @@ struct Moment {
 };
 
 enum class Between : int {
-  kMinimumJerk,  // smooth, at rest in every key: how people reach (Flash and Hogan 1985)
+  kMinimumJerk,  // smooth, at rest in every key: human reaching movements (Flash and Hogan 1985)
   kLinear,       // straight: for dense samples
   kHold,         // the last sample, unchanged: for exact repetition
 };
@@ -62,23 +62,23 @@ enum class Between : int {
 struct Hand {
   std::string title;
   std::vector<Key> keys;  // at least one, times rising
-  bool sampled = false;   // came as "samples"
+  bool sampled = false;   // read from "samples"
   bool has_grip = false;
 
   double duration() const { return keys.back().t; }  // s
-  /// Before the first key and after the last one the hand rests there. [rt]
+  /// State at t; before the first key and after the last one the hand rests there. [rt]
   Moment at(double t, Between between) const noexcept;
 };
 
 /// Reads a file. Throws std::runtime_error naming file and key. [main]
 Hand load_hand(const std::string& path);
-/// The same from text; `name` stands in messages.
+/// The same from text; `name` identifies it in messages.
 Hand parse_hand(const std::string& text, const std::string& name);
 
-/// Orientation whose x axis is `axis` and whose z axis is `closing` made square to it. Throws when they are
+/// Orientation whose x axis is `axis` and whose z axis is `closing` made perpendicular to it. Throws when they are
 /// parallel.
 Quat orientation(const Vec3& axis, const Vec3& closing);
-/// The same from "axis" and "closing" of an object, which are given together; else fails through the reader. [main]
+/// The same from "axis" and "closing" of an object, which must both be given; else fails through the reader. [main]
 Quat read_attitude(const Reader& reader, const Json& value, const std::string& where);
 
 }  // namespace swage::hand

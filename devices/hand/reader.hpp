@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers with units out of a hand's or a plan's file; messages name file and key. [main]
+// Reads numbers with units from the file of a hand or a plan; messages name file and key. [main]
 #pragma once
 
 #include <swage/units.hpp>
@@ -23,7 +23,7 @@ namespace swage::hand {
 using Json = nlohmann::json;
 using toolkit::Vec3;
 
-// what a number in the file measures
+// quantity of a number in the file
 enum class Measure { kNumber, kLength, kTime, kAngle, kForce };
 
 struct Unit {
@@ -36,7 +36,7 @@ inline constexpr Unit kUnits[] = {
     {"s", Measure::kTime, 1},          {"ms", Measure::kTime, 1e-3},   {"rad", Measure::kAngle, 1},
     {"deg", Measure::kAngle, kDegree}, {"N", Measure::kForce, 1},      {"mN", Measure::kForce, 1e-3}};
 
-/// Where we are in the file, for messages.
+/// The file that is read, for messages.
 class Reader {
  public:
   explicit Reader(std::string name) : name_(std::move(name)) {}
@@ -49,7 +49,7 @@ class Reader {
     if (value.is_number()) return finite(value.get<double>(), where);
     if (!value.is_string()) fail(where, say::kNumberNeeded());
     const std::string text = value.get<std::string>();
-    // from_chars: the decimal point is a point in every language
+    // from_chars reads a decimal point in every locale
     double amount = 0;
     const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), amount);
     std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
@@ -107,7 +107,7 @@ inline std::string text_of(const std::string& path) {
   return text;
 }
 
-/// A JSON object of this format with no keys but `known`; `has` says so to who wrote another one.
+/// Reads a JSON object of this format with no keys but `known`; `has` is the message for any other key.
 inline Json object_of(const Reader& reader, const std::string& text, const std::string& format,
                       std::initializer_list<const char*> known, const std::string& has) {
   Json file;

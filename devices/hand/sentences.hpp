@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences about a hand's or a plan's file. Tests name them, and never repeat their words.
+// Messages about files of hands and plans. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -11,7 +11,7 @@ using toolkit::operator""_sentence;
 
 // numbers and units
 inline constexpr auto kNumberNeeded = R"(a number or a text like "2.6 mm" is needed here)"_sentence;
-inline constexpr auto kOtherMeasure = "\"{}\" is not {}"_sentence;  // what it would have to be, as below
+inline constexpr auto kOtherMeasure = "\"{}\" is not {}"_sentence;  // {}: the required quantity, as below
 inline constexpr auto kLength = "a length (m, mm, um)"_sentence;
 inline constexpr auto kTime = "a time (s, ms)"_sentence;
 inline constexpr auto kAngle = "an angle (rad, deg)"_sentence;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Physiological tremor of a hand: a band of sinusoids with drawn frequencies and phases. Deterministic once
+// Physiological tremor of a hand: a band of sinusoids with random frequencies and phases. Deterministic once
 // drawn.
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace swage::hand {
 
-/// The band is cut into kLines equal slots per axis with one line drawn in each, all of one amplitude, so
+/// The band is cut into kLines equal slots per axis, with one random frequency in each, all of one amplitude, so
 /// that the power is flat over the band and zero outside it. Hands of eye surgeons: 8-12 Hz, 38 um RMS at the
 /// tool (Riviere); 50-200 um for others.
 class Tremor {
  public:
-  static constexpr int kLines = 12;  // per axis; fewer beat audibly, more cost time
+  static constexpr int kLines = 12;  // per axis; with fewer lines the beats are noticeable, more cost time
 
   /// `rms`: root mean square of the displacement vector over a long time [m]; low, high [Hz]; `uniform` gives
   /// [0, 1).
   template <class Uniform>
   void draw(double rms, double low, double high, Uniform&& uniform) {
-    // each line has the mean square A^2 / 2, three axes of kLines add up to rms^2
+    // each line has the mean square A^2 / 2; three axes with kLines each add up to rms^2
     amplitude_ = rms / std::sqrt(1.5 * kLines);
     const double slot = (high - low) / kLines;
     for (auto& axis : lines_) {

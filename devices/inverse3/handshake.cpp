@@ -42,7 +42,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// the value of a field of the header, "" where it is absent; names of fields are alike in capitals and small letters
+// value of a header field, "" where it is absent; field names are case-insensitive
 std::string_view field(std::string_view header, std::string_view name) {
   for (std::size_t at = header.find("\r\n"); at != std::string_view::npos;) {
     const std::size_t begin = at + 2, end = std::min(header.find("\r\n", begin), header.size());

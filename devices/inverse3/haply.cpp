@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kFarthest = 1;  // m; the arm reaches 0.3 m. What is farther was no measurement
-constexpr double kFastest = 20;  // m/s; hands reach 3
+constexpr double kFarthest = 1;  // m; the arm reaches 0.3 m. A position farther away is no measurement
+constexpr double kFastest = 20;  // m/s; hands reach 3 m/s
 
 const Json* member(const Json& in, const char* key) {
   if (!in.is_object()) return nullptr;
@@ -55,7 +55,7 @@ std::optional<Arm> read_arm(const Json& in) {
   if (!vector(member(*state, "cursor_velocity"), arm.v_D) || arm.v_D.norm() > kFastest) arm.v_D = Vec3::Zero();
   if (const Json* config = member(in, "config")) {
     arm.handedness = text_of(*config, "handedness");
-    arm.newer = config->is_object() && config->contains("preset");  // the first message of 3.5 tells it, that of 3.1 does not
+    arm.newer = config->is_object() && config->contains("preset");  // the first message of 3.5 has it, that of 3.1 does not
   }
   return arm;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Messages of the Inverse Service of Haply, versions 3.1 to 3.5, between its axes and the device frame D of Swage. Pure. [any]
+// Messages of Haply's Inverse Service, versions 3.1 to 3.5, and their conversion to the device frame D of Swage. Pure. [any]
 // Source: docs.haply.co, Inverse SDK, "WebSocket protocol", "Control commands", "Basis permutation", tutorial 06.
 #pragma once
 
@@ -17,34 +17,34 @@ using toolkit::Pose;
 using toolkit::Quat;
 using toolkit::Vec3;
 
-/// An arm as one message of the service shows it. D: x right, y up, z towards the user.
+/// State of an arm in one message of the service. D: x right, y up, z towards the user.
 struct Arm {
   std::string id;
   Vec3 p_D = Vec3::Zero(), v_D = Vec3::Zero();  // m, m/s, of the cursor
-  std::string handedness;                       // "left", "right", "" where it is not told
-  bool newer = false;                           // the service calls the values of a force "vector" (3.5) and not "values" (3.1)
+  std::string handedness;                       // "left", "right", "" where unknown
+  bool newer = false;                           // the field with the components of a force is "vector" (3.5), not "values" (3.1)
 };
 
-/// The stylus, by cable or without.
+/// The stylus, wired or wireless.
 struct Grip {
-  Quat q_DG;             // G: its own axes, y along the stylus to its tip
+  Quat q_DG;             // G: frame of the stylus, y along it towards its tip
   uint32_t buttons = 0;  // bit 0: a, 1: b, 2: c
   std::optional<double> battery;  // 0..1
 };
 
 struct Message {
-  bool readable = false;  // it was JSON as the service sends it
+  bool readable = false;  // valid JSON in the form that the service sends
   std::optional<Arm> arm;
   std::optional<Grip> grip;
-  std::string others;  // ids of the arms that are not the wanted one
+  std::string others;  // ids of arms other than the wanted one
 };
 
-/// `arm`, `grip`: ids that are wanted, "" for the first. What is no finite number, or no rotation, counts as absent.
+/// `arm`, `grip`: wanted ids, "" for the first. Values that are not finite, or not a rotation, count as absent.
 Message read_message(std::string_view text, const std::string& arm, const std::string& grip);
 
-/// A force in newtons in D; the service answers each with one message.
+/// Message with a force [N] in D; the service answers each with one message.
 std::string force_message(const std::string& arm, bool newer, const Vec3& force_D);
-/// A message that moves nothing and asks for everything, for as long as no arm is known.
+/// Message without a force that requests the state, sent while no arm is known.
 std::string asking_message();
 
 }  // namespace swage::inverse3

@@ -14,10 +14,10 @@
 namespace swage::inverse3 {
 namespace {
 
-constexpr double kLow = 0.2;      // charge of which a person is told
-constexpr double kPatience = 3;   // s for the service to answer at the start
-constexpr double kRetry = 0.5;    // s between two tries to reach it again
-constexpr double kUnanswered = 0.1;  // s after which a message without an answer is sent anew; normal are 0.1 to 1 ms
+constexpr double kLow = 0.2;      // charge below which the person is warned
+constexpr double kPatience = 3;   // s, timeout for the service's answer at the start
+constexpr double kRetry = 0.5;    // s between two attempts to reconnect
+constexpr double kUnanswered = 0.1;  // s after which a message without an answer is sent again; usual are 0.1 to 1 ms
 
 double now_s() {
   timespec t;
@@ -52,7 +52,7 @@ void Inverse3::build(const P& params, DeviceBuilder& builder) {
   }
 }
 
-// until the service has shown an arm; "" or why not
+// waits until the service has reported an arm; returns "" or the reason
 std::string Inverse3::reach() {
   const std::string where = params().host + ":" + std::to_string(params().port);
   std::string others, text;
@@ -92,7 +92,7 @@ void Inverse3::open() {
   note(say::kArm(arm_, now_.handedness.empty() ? "" : say::kHanded(now_.handedness), grip_known_ ? say::kWithGrip(battery) : say::kWithoutGrip()));
 }
 
-// The last word is no force, and it is heard before the connection ends: what is unread on either side would be lost with it.
+// Ends with a zero force, and waits for the answer before closing the connection: unread data on either side would be lost with it.
 void Inverse3::close() {
   std::string text;
   const auto wait = [&] {
@@ -134,7 +134,7 @@ Vec3 Inverse3::limited(const Vec3& force) const {
   return size > most ? Vec3(force * (most / size)) : force;
 }
 
-// One message is out at a time: the service answers each with one, and more would queue behind a slow one.
+// One message at a time is pending: the service answers each with one, and more would queue behind a slow one.
 void Inverse3::answer(const swage_command& command, double now) {
   if (asked_ && now - asked_s_ < kUnanswered) return;
   const bool obeyed = now < command.deadline_s;
@@ -163,7 +163,7 @@ void Inverse3::exchange(const swage_command& command, swage_sample& sample) {
   sample.time_s = heard_s_;
   sample.pose = Pose(now_.p_D, grip_known_ ? (grip_.q_DG * grip_to_tool()).normalized() : fixed_).abi();
   sample.twist = {toolkit::raw(now_.v_D), {}};
-  // a stylus that fell silent has no orientation any more
+  // a stylus without messages has no valid orientation any more
   sample.valid = grip_there_ || !grip_known_ ? SWAGE_VALID_POSE | SWAGE_VALID_TWIST : 0u;
   if (!grip_there_) return;
   sample.buttons = grip_.buttons;

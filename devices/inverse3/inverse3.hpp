@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.inverse3: an Inverse3 arm of Haply with its stylus, through the service of its maker. See inverse3.md.
+// swage.device.inverse3: an Inverse3 arm of Haply with its stylus, through the manufacturer's service. See inverse3.md.
 #pragma once
 
 #include <swage/device_signals.hpp>
@@ -31,7 +31,7 @@ class Inverse3 final : public TellingDevice<Inverse3Params> {
   static constexpr auto summary = "The stylus of an Inverse3 leads the instrument and gives forces back, through the Inverse Service of Haply.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr double kMostForce = 8;  // N; its maker speaks of 10 N for a moment
+  static constexpr double kMostForce = 8;  // N; the manufacturer specifies 10 N for short times
   static constexpr DeviceCard card{.flags = SWAGE_DEVICE_FORCE, .rate_hz = 1000, .max_force = kMostForce};
 
   static constexpr std::array fields = {
@@ -62,11 +62,11 @@ class Inverse3 final : public TellingDevice<Inverse3Params> {
   Vec3 limited(const Vec3& force) const;
 
   WebSocket socket_;
-  Quat fixed_;           // orientation of the tool without a stylus
-  std::string arm_;      // the one with which the lesson began
+  Quat fixed_;           // orientation of the tool where there is no stylus
+  std::string arm_;      // id of the arm at the start of the lesson
   bool newer_ = false;   // see Arm
-  bool asked_ = false;   // a message is out that was not answered
-  bool fresh_ = false;   // the arm was heard since the last sample
+  bool asked_ = false;   // a message was sent and not yet answered
+  bool fresh_ = false;   // the arm's state has arrived since the last sample
   bool grip_known_ = false, grip_there_ = false;
   bool battery_told_ = false;
   Arm now_;

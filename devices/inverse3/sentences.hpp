@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this bundle tells of the Inverse Service and of its arm. Tests name them, and never repeat their words.
+// Messages of this bundle about the Inverse Service and its arm. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -9,7 +9,7 @@ namespace swage::inverse3::say {
 
 using toolkit::operator""_sentence;
 
-// a connection that is none, or ends
+// failed and closed connections
 inline constexpr auto kNoWebSocket = "It answers \"{}\" in place of opening a WebSocket."_sentence;
 inline constexpr auto kOtherAnswer = "Its answer is not that of a WebSocket."_sentence;
 inline constexpr auto kExtension = "It uses an extension that nobody asked for."_sentence;
@@ -32,7 +32,7 @@ inline constexpr auto kNoService =
 inline constexpr auto kOtherService = "{} says nothing that is of the Inverse Service. Is its port right?"_sentence;
 inline constexpr auto kNoSuchArm = "There is no arm \"{}\". There is: {}."_sentence;
 inline constexpr auto kNoArm = "The Inverse Service knows no arm. Switch the Inverse3 on, plug it in, and calibrate it as its maker says."_sentence;
-inline constexpr auto kArm = "Inverse3 {}{}{}"_sentence;  // id, whose hand, its stylus
+inline constexpr auto kArm = "Inverse3 {}{}{}"_sentence;  // id, hand, stylus
 inline constexpr auto kHanded = " ({}-handed)"_sentence;
 inline constexpr auto kWithGrip = ", with a VerseGrip{}"_sentence;
 inline constexpr auto kBattery = ", battery {} %"_sentence;

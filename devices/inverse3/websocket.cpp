@@ -18,10 +18,10 @@
 namespace swage::inverse3 {
 namespace {
 
-// bytes; normal messages have one or two thousand. More is no service of this kind, and would fill the memory
+// bytes; normal messages have one or two thousand. A longer one does not come from this service, and would fill the memory
 constexpr std::size_t kMostMessage = std::size_t{1} << 20;
 constexpr std::size_t kMostHeader = 16384;
-// bytes that a service has not taken; normal are none. It hangs when there are so many
+// bytes not yet accepted by the service; normally none. With so many it does not respond any more
 constexpr std::size_t kMostDue = std::size_t{1} << 18;
 
 constexpr int kContinuation = 0, kText = 1, kBinary = 2, kClose = 8, kPing = 9, kPong = 10;
@@ -31,7 +31,7 @@ constexpr int kContinuation = 0, kText = 1, kBinary = 2, kClose = 8, kPing = 9, 
 std::string WebSocket::open(const std::string& host, int port, const std::string& path) {
   drop("");
   addrinfo hints{}, *found = nullptr;
-  hints.ai_family = AF_INET;  // "localhost" is ::1 first on Debian, where services of this kind do not listen
+  hints.ai_family = AF_INET;  // on Debian "localhost" is ::1 first, where services of this kind do not listen
   hints.ai_socktype = SOCK_STREAM;
   if (const int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found); error != 0)
     return trouble_ = say::kHostUnknown(host, gai_strerror(error));
@@ -48,7 +48,7 @@ std::string WebSocket::open(const std::string& host, int port, const std::string
   }
   freeaddrinfo(found);
   if (file_ < 0) return trouble_ = say::kHostSilent(host, port, std::strerror(error));
-  const int on = 1;  // a force must not wait for the next one
+  const int on = 1;  // send without delay: a force must not wait for the next one (Nagle)
   setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   std::string bytes;
   for (int i = 0; i < 16; ++i) bytes += static_cast<char>(random_() & 255);
@@ -69,7 +69,7 @@ void WebSocket::drop(const std::string& why) {
 
 void WebSocket::close() {
   if (state_ == State::kOpen) {
-    queue(kClose, std::string_view("\x03\xe8", 2));  // 1000: done
+    queue(kClose, std::string_view("\x03\xe8", 2));  // 1000: normal closure
     flush();
   }
   drop("");
@@ -127,7 +127,7 @@ void WebSocket::shake() {
   state_ = State::kOpen;
 }
 
-// RFC 6455, 5.2: a client masks what it sends
+// RFC 6455, 5.2: a client masks its payload
 void WebSocket::queue(int opcode, std::string_view payload) {
   const std::size_t n = payload.size();
   out_ += static_cast<char>(0x80 | opcode);
@@ -167,7 +167,7 @@ bool WebSocket::receive(std::string& text) {
   return false;
 }
 
-// One frame from what has come. True when a text message is whole.
+// Takes one frame from the received bytes. True when it completes a text message.
 bool WebSocket::take_frame(std::string& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(in_[i]); };
   if (in_.size() < 2) return false;

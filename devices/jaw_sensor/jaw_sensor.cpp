@@ -20,9 +20,9 @@ using sensor::Reading;
 
 namespace {
 
-// s in which a sensor has to say something: boards that restart when their port is opened need two
+// s, timeout for the first message: boards that restart when their port is opened need two
 constexpr double kPatience = 4;
-// a handle that keeps still for so long within the first seconds is looked at: is it open where it should be?
+// a handle that rests for kRestStill within the first kRestLooked seconds is checked: is it open in the calibrated place?
 constexpr double kRestLooked = 5, kRestStill = 0.5;  // s
 constexpr double kStill = 20e-6;                     // m, ten times the sensor's resolution
 
@@ -58,7 +58,7 @@ bool JawSensor::choose_port(sensor::LinkSettings& settings) {
   return false;
 }
 
-// until the sensor has said who it is, or at least something
+// waits until the sensor has reported its serial number, or at least a measurement
 bool JawSensor::hear_it() {
   Measurement m;
   bool heard = false;
@@ -90,7 +90,7 @@ void JawSensor::open() {
   still_low_ = 1, still_high_ = -1;
 }
 
-// once, at the start of a session, as long as its calibration says where open is
+// once, at the start of a session, if the calibration knows the open pose
 void JawSensor::watch_rest(double now) {
   if (now > rest_until_ || !measured_) return;
   still_low_ = std::min(still_low_, length_), still_high_ = std::max(still_high_, length_);
@@ -138,7 +138,7 @@ void JawSensor::use(const Calibration& calibration) {
   handle_.set(calibration, params().meets, {params().held, params().held_at});
 }
 
-// Another sensor would be read with the wrong calibration: it stays unheard.
+// Another sensor would be read with the wrong calibration: its measurements are ignored.
 bool JawSensor::is_the_one() {
   if (connection_ != link_.connections()) {
     connection_ = link_.connections();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage.device.jaw_sensor: a displacement sensor in the handle of a needleholder, on a serial port (thesis chapter 3, appendix B). It
-// gives how far the jaws are closed and how hard; the pose comes from another device. See jaw_sensor.md.
+// measures closure and force of the jaws; the pose comes from another device. See jaw_sensor.md.
 #pragma once
 
 #include <swage/calibrated.hpp>
@@ -108,15 +108,15 @@ class JawSensor final : public TellingDevice<JawSensorParams, CalibratedDevice<J
   sensor::LinkSettings settings_;
   sensor::SensorLink link_;
   sensor::Calibration calibration_;
-  std::string in_use_;  // JSON of it, "" while volts are taken as they are
+  std::string in_use_;  // calibration in use as JSON; "" without one, when `volts` are the three poses
   sensor::Displacement displacement_;
   sensor::Handle handle_;
   bool given_ = false, force_known_ = false, tip_known_ = false;
-  std::string serial_;  // with which the lesson began
+  std::string serial_;  // serial number of the sensor at the start of the lesson
   uint32_t connection_ = 0;
   sensor::Poses poses_;
   double gauge_zero_ = 0;                          // N
-  double rest_until_ = 0, still_since_ = 0;        // s; until when a handle that rests is looked at
+  double rest_until_ = 0, still_since_ = 0;        // s; end of the period in which a resting handle is checked; begin of the present rest
   double still_low_ = 0, still_high_ = 0;          // m
   bool warned_ = false, filled_ = false, measured_ = false, gauge_ = false;
   double volts_ = 0, length_ = 0, force_ = 0, raw_force_ = 0, last_s_ = 0;  // V, m, N, N, s

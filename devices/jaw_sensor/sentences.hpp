@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this bundle tells of its sensor; those of ports and calibrations are in sensor/sentences.hpp. Tests name them, and never repeat their words.
+// Messages of this bundle about its sensor; those about ports and calibrations are in sensor/sentences.hpp. Tests refer to names only.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -9,7 +9,7 @@ namespace swage::jaw_sensor::say {
 
 using toolkit::operator""_sentence;
 
-// finding it
+// detection
 inline constexpr auto kNoAdapter = "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."_sentence;
 inline constexpr auto kManyAdapters = "There are several serial adapters; name the port of the sensor, one of:{}"_sentence;
 inline constexpr auto kOtherDialect = "{} sends what is no message of this dialect at {} bit/s. Is its dialect right, and its bits_per_s?"_sentence;
@@ -22,7 +22,7 @@ inline constexpr auto kNoPoses = "The calibration has no poses of this needlehol
 inline constexpr auto kNotCalibrated = "Sensor {}: not calibrated. Its volts are taken as they are."_sentence;
 inline constexpr auto kNoSerial = "without a serial number"_sentence;
 inline constexpr auto kCalibrated =
-    "Sensor {}: calibrated on {} by {}, residuals up to {} um; poses of {}; {}{}.{}"_sentence;  // then what is known of forces, and kMeasureAnew
+    "Sensor {}: calibrated on {} by {}, residuals up to {} um; poses of {}; {}{}.{}"_sentence;  // then the known forces, and kMeasureAnew
 inline constexpr auto kNoForces = "no table of forces"_sentence;
 inline constexpr auto kByTravel = "force by travel"_sentence;
 inline constexpr auto kByTips = ", force at the tips by that at the handle"_sentence;

@@ -56,7 +56,7 @@ void Mouse::open() {
     refuse("this program does not pass on the pointer and the keys, so there is no mouse to use");
 }
 
-// Tab hands over to the next. What is down then belongs to the other hand until it is let go.
+// Tab passes the control to the next hand. Keys that are down then belong to the other hand until they are released.
 swage_pointer Mouse::taken_over(const swage_pointer& pointer) {
   const bool tab = (pointer.keys & kTab) != 0;
   if (tab && !tab_) {
@@ -74,7 +74,7 @@ swage_pointer Mouse::taken_over(const swage_pointer& pointer) {
 }
 
 void Mouse::exchange(const swage_command& command, swage_sample& sample) {
-  // two calls at the same moment, as after a pause, must not move the hand twice
+  // two calls at the same time, as after a pause, must not move the hand twice
   const double dt = std::clamp(command.time_s - last_s_, 0.0, 0.01);
   last_s_ = command.time_s;
   static constexpr swage_pointer kStill{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
@@ -92,7 +92,7 @@ void Mouse::exchange(const swage_command& command, swage_sample& sample) {
   sample.grip_force = 0;
   sample.buttons = shared && led ? pointer.buttons : 0;
   sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
-  // of hands that share a mouse only the one that is led has buttons: so a window knows which it is
+  // of hands that share a mouse only the controlled one has buttons: so a window knows which one it is
   if (shared && led) sample.valid |= SWAGE_VALID_BUTTONS;
 }
 

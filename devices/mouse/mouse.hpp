@@ -124,12 +124,12 @@ class Mouse final : public SeeingDevice<MouseParams> {
 
   const swage_host_pointer* pointer_ = nullptr;
   MouseHand hand_;
-  std::vector<Signal> grip_;  // of the grasp, or of every coupling that grasps
+  std::vector<Signal> grip_;  // signals of the grasp: of one coupling, or of every coupling that grasps
   double grip_N_ = 0;
   double last_s_ = 0;
-  int leads_ = 1;  // which of the hands is led now
+  int leads_ = 1;  // number of the hand that is controlled now
   bool tab_ = false;
-  uint64_t old_keys_ = 0;  // down since the hand-over: they meant the other hand
+  uint64_t old_keys_ = 0;  // keys and buttons down since the hand-over: they belong to the other hand
   uint32_t old_buttons_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How pointer and keys move a hand. Pure arithmetic; the table of keys is in mouse.md.
+// How pointer and keys move a hand. Pure arithmetic; the keys are listed in mouse.md.
 #pragma once
 
 #include <swage/abi/device.h>
@@ -26,10 +26,10 @@ inline constexpr uint64_t kLeft = uint64_t{1} << 36, kRight = uint64_t{1} << 37,
 inline constexpr uint32_t kLeftButton = 1, kMiddleButton = 2, kRightButton = 4;
 inline constexpr uint32_t kShift = 1, kControl = 2, kAlt = 4;
 
-/// A circle on which a held needle turns: its own. No axis: there is none.
+/// The circle of a held needle's arc, about which the hand can rotate. Zero axis: no circle.
 struct Circle {
   Vec3 centre_W = Vec3::Zero();  // m
-  Vec3 axis_W = Vec3::Zero();    // unit, or zero; right-handed about it the needle's point goes first
+  Vec3 axis_W = Vec3::Zero();    // unit, or zero; a right-handed rotation about it moves the needle's point ahead
 };
 
 struct Speeds {
@@ -40,19 +40,19 @@ struct Speeds {
   double key_turn = 0.25 * std::numbers::pi;  // rad/s
   double squeeze = 0.6;                       // closure per second
   double fine = 0.2;                          // factor of all the above while shift is down
-  double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves without steps
-  double rest_force = 0.6;  // N, at which closing rests until the key is pressed again; 0: it never rests
-  bool latch = true;        // the jaws stay where they are when the key is let go; otherwise they open again
+  double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves smoothly
+  double rest_force = 0.6;  // N, grip force at which closing stops until the key is pressed again; 0: it never stops
+  bool latch = true;        // the jaws keep their closure when the key is released; otherwise they open again
 };
 
-/// Where the hand wants to be and where, smoothed, it is.
+/// Commanded pose of the hand, and its smoothed pose.
 class MouseHand {
  public:
   MouseHand() = default;
   MouseHand(const Speeds& speeds, const Pose& start)
       : speeds_(speeds), target_(start), middle_(start), pose_(start) {}
 
-  /// One step of dt [s]; `grip` [N] is what the jaws hold with now. [rt]
+  /// One step of dt [s]; `grip` [N]: present grip force of the jaws. [rt]
   void step(const swage_pointer& pointer, double dt, double grip = 0) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
     const Quat q_WC = toolkit::quat(pointer.camera);
@@ -63,17 +63,17 @@ class MouseHand {
     smooth(dt);
   }
 
-  /// A step in which another hand is led: this one comes to rest where it was to be, and holds. [rt]
+  /// A step in which another hand is controlled: this one comes to rest at its commanded pose, and holds. [rt]
   void rest(double dt) noexcept {
     goes_on_ = false;
     up_s_ = kLetGo_s;
     smooth(dt);
   }
 
-  /// From the next step on; the hand stays where it is. [rt]
+  /// Applies from the next step on; the hand does not move. [rt]
   void set_speeds(const Speeds& speeds) noexcept { speeds_ = speeds; }
 
-  /// For the next drives. [rt]
+  /// Applies to the next rotations about the circle. [rt]
   void set_circle(const Circle& circle) noexcept {
     const double length = circle.axis_W.norm();
     circle_ = length > 0 ? Circle{circle.centre_W, circle.axis_W / length} : Circle{};
@@ -92,13 +92,13 @@ class MouseHand {
     return wanted && (p.buttons & kLeftButton) != 0 && !circle_.axis_W.isZero();
   }
 
-  /// rad about the circle's axis: by keys, or so that the tips follow the pointer as far as they go its way on the circle.
+  /// Rotation about the circle's axis [rad]: by keys, or by a drag, so that the tips follow the pointer's motion along the circle.
   double along_circle(const swage_pointer& p, const Quat& q_WC, double dt) const {
     if (circle_.axis_W.isZero()) return 0;
     double angle = speeds_.key_turn * dt * axis(p.keys, letter('t'), letter('g'));
     if (!drags_on_circle(p)) return angle;
     constexpr double kSeen =
-        0.3;  // of the way that must lie in the view: a drag cannot follow what goes along the line of sight
+        0.3;  // share of the motion that must lie in the view plane: a drag cannot follow motion along the line of sight
     const Vec3 way = circle_.axis_W.cross(target_.p - circle_.centre_W);  // m per rad
     const Vec3 way_C = q_WC.conjugate() * way;
     const double seen2 = way_C.x() * way_C.x() + way_C.y() * way_C.y();
@@ -107,14 +107,14 @@ class MouseHand {
     return angle;
   }
 
-  /// Turns the whole hand about the circle's axis.
+  /// Rotates the hand about the circle's axis.
   void drive(double angle) {
     const Quat turn = toolkit::exp_rotation(angle * circle_.axis_W);
     target_.p = circle_.centre_W + turn * (target_.p - circle_.centre_W);
     target_.q = (turn * target_.q).normalized();
   }
 
-  /// m in the camera's frame: +x right, +y up, +z towards the viewer.
+  /// Displacement [m] in the camera's frame: +x right, +y up, +z towards the viewer.
   Vec3 motion_C(const swage_pointer& p, double dt) const {
     Vec3 d = speeds_.key_move * dt *
              Vec3(axis(p.keys, letter('d'), letter('a')), axis(p.keys, letter('w'), letter('s')),
@@ -124,12 +124,12 @@ class MouseHand {
     return d;
   }
 
-  /// rad in the camera's frame, right-handed.
+  /// Rotation vector [rad] in the camera's frame, right-handed.
   Vec3 turning_C(const swage_pointer& p, double dt) const {
     Vec3 a = speeds_.key_turn * dt *
              Vec3(axis(p.keys, kDown, kUp), axis(p.keys, kRight, kLeft),
                   axis(p.keys, letter('z') | kPageUp, letter('x') | kPageDown));
-    // a drag turns the near side of the tool along with the pointer; with control it rolls about the line of
+    // a drag moves the near side of the tool with the pointer; with control the tool rolls about the line of
     // sight
     if ((p.buttons & kRightButton) != 0) {
       const bool roll = (p.modifiers & kControl) != 0;
@@ -138,14 +138,14 @@ class MouseHand {
     return a;
   }
 
-  /// A first press closes until the jaws hold with the resting force; whoever presses again from there goes on.
+  /// A first press closes until the jaws hold with the resting force; a new press from there closes on.
   void squeeze(const swage_pointer& p, double scale, double dt, double grip) {
     constexpr double kNotch = 0.02;  // closure per notch of the wheel
     const bool control = (p.modifiers & kControl) != 0;
     const bool middle = (p.buttons & kMiddleButton) != 0;
     const bool close = (p.keys & (kSpace | kPlus)) != 0 || (middle && !control);
     const bool open = (p.keys & (letter('b') | kEnter | kMinus)) != 0 || (middle && control);
-    constexpr double kRests = 0.9;  // share of the resting force from which a new press goes on
+    constexpr double kRests = 0.9;  // share of the resting force from which a new press closes on
     if (close && up_s_ >= kLetGo_s) goes_on_ = grip >= kRests * speeds_.rest_force;
     up_s_ = close ? 0 : up_s_ + dt;
     const bool rests = speeds_.rest_force > 0 && grip >= speeds_.rest_force && !goes_on_;
@@ -156,7 +156,7 @@ class MouseHand {
     closure_ = std::clamp(closure_, 0.0, 1.0);
   }
 
-  /// Two equal low passes in a row: continuous in speed, no overshoot.
+  /// Two equal first-order low-pass filters in series: continuous velocity, no overshoot.
   void smooth(double dt) {
     const double share = speeds_.smoothing > 0 ? 1 - std::exp(-dt / speeds_.smoothing) : 1.0;
     approach(middle_, target_, share);
@@ -172,10 +172,10 @@ class MouseHand {
   Circle circle_;
   Pose target_, middle_, pose_;
   double closure_ = 0;
-  // The repeat of a held key may reach us as a release and a press (X11 without detectable auto-repeat), a few ms apart.
-  // A finger is up for 80 ms or more between two presses. Larger values make a quick second press one with the first.
+  // The repetition of a held key may arrive as a release and a press (X11 without detectable auto-repeat), a few ms apart.
+  // Between two presses a finger is up for 80 ms or more. A larger value would merge a quick second press with the first.
   static constexpr double kLetGo_s = 0.04;
-  double up_s_ = kLetGo_s;  // s, how long the closing key is up
+  double up_s_ = kLetGo_s;  // s, time since the closing key was released
   bool goes_on_ = false;    // this press began at the resting force
 };
 

@@ -32,7 +32,7 @@ std::string value_of(const fs::path& file, const std::string& key) {
   return "";
 }
 
-/// Entries of a folder that begin so, in order.
+/// Entries of a folder whose names begin with `begin`, sorted.
 std::vector<fs::path> entries(const std::string& folder, const std::string& begin) {
   std::vector<fs::path> out;
   std::error_code ignored;
@@ -49,7 +49,7 @@ bool closed(const std::string& node, int how) {
   return false;
 }
 
-/// Whether bit `code` is set in the kernel's words, hexadecimal, the highest one first.
+/// True when bit `code` is set in the kernel's words, hexadecimal, the highest one first.
 bool has_bit(const std::string& words, unsigned code) {
   std::vector<uint64_t> word;
   std::istringstream in(words);

@@ -40,7 +40,7 @@ void* load(const std::string& wanted, std::string& why) {
   }
   for (const char* name : kNames) {
     if (void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
-    // the first one that is there and lacks something tells more than those that are not there
+    // an error of a library that exists tells more than that of one that does not
     const std::string said = dlerror();
     if (why.empty() || said.find(std::string(name) + ": cannot open") == std::string::npos) why = said;
   }

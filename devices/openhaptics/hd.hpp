@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is used of the haptic device library of OpenHaptics (libHD.so): functions and constants as its 3.0 and 3.4 releases have them,
-// found at run time. Facts of its binary interface, under names of ours.
+// The part of OpenHaptics' haptic device library (libHD.so) that is used: functions and constants of its releases 3.0 and 3.4,
+// loaded at run time. Facts of its binary interface, under our own names.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline constexpr unsigned kButtons = 0x2000, kInkwell = 0x2002, kVelocity = 0x20
 inline constexpr unsigned kModel = 0x2501, kSerial = 0x2504, kCalibrationStyle = 0x2555, kNominalMaxForce = 0x2603, kForce = 0x2700;
 inline constexpr unsigned kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002, kSoftwareForceLimit = 0x4003;
 inline constexpr unsigned kAlreadyInitiated = 0x301;
-inline constexpr unsigned kWarmMotors = 0x200, kForceError = 0x204;  // these and between them: the forces must go, the arm is there
+inline constexpr unsigned kWarmMotors = 0x200, kForceError = 0x204;  // errors in this range: forces must stop, the arm is still connected
 inline constexpr unsigned kCalibrated = 0x5000, kNeedsUpdate = 0x5001, kNeedsManualInput = 0x5002;
 inline constexpr unsigned kInkwellStyle = 4;
 inline constexpr unsigned kDone = 0, kContinue = 1;
@@ -51,11 +51,11 @@ struct Hd {
   void (*Unschedule)(unsigned long);
 };
 
-/// The library, loaded once for the whole process and never given back: its driver fails when it is loaded again. `wanted`: a file,
+/// The library, loaded once per process and never unloaded: its driver fails when it is loaded again. `wanted`: a file,
 /// or empty for the usual names. nullptr and `why`, a sentence with the remedy. [main]
 const Hd* load_hd(const std::string& wanted, std::string& why);
 
-/// The forces must go and the arm is there; any other error means that the arm is lost.
+/// True for errors after which forces must stop but the arm is connected; any other error means that the arm is lost.
 inline bool recoverable(unsigned code) { return code >= kWarmMotors && code <= kForceError; }
 
 }  // namespace swage::openhaptics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The newest value from one thread to one other; neither ever waits.
+// Lock-free mailbox: passes the newest value from one thread to another; neither ever waits.
 #pragma once
 
 #include <atomic>

@@ -11,10 +11,10 @@
 namespace swage::openhaptics {
 namespace {
 
-constexpr int kTries = 10;        // to take over an arm that a program which crashed has left initiated
-constexpr double kReturns = 2;    // s between two looks for an arm that was lost
-constexpr double kLeaves = 0.5;   // s in which the servo lets the force go; normal is 20 ms
-constexpr double kLeastForce = 0.5, kMostForce = 7.9;  // N; what an arm says of itself beyond these is not believed
+constexpr int kTries = 10;        // attempts to take over an arm that a crashed program has left initialised
+constexpr double kReturns = 2;    // s between two searches for a lost arm
+constexpr double kLeaves = 0.5;   // s within which the servo releases the force; usual is 20 ms
+constexpr double kLeastForce = 0.5, kMostForce = 7.9;  // N; a reported maximum beyond these limits is not used
 constexpr int kNap_ns = 1'000'000;
 
 void nap() {
@@ -41,7 +41,7 @@ void Openhaptics::drain() {
   }
 }
 
-// Some drivers know the default arm by no name, others by one of two.
+// Some drivers find the default arm without a name, others by one of two.
 unsigned Openhaptics::init(std::string& why) {
   const std::string& wanted = params().device;
   const std::array<const char*, 3> names = {wanted.empty() ? nullptr : wanted.c_str(), "Default Device", "Default PHANToM"};
@@ -62,7 +62,7 @@ unsigned Openhaptics::init(std::string& why) {
   return kBadHandle;
 }
 
-// device first, callback second, scheduler last: otherwise drivers complain
+// order: device, callback, scheduler; otherwise drivers report errors
 bool Openhaptics::reach(std::string& why) {
   device_ = init(why);
   if (device_ == kBadHandle) {
@@ -108,7 +108,7 @@ void Openhaptics::open() {
   note(say::kArm(model != nullptr ? model : say::kUnknown(), serial != nullptr ? serial : say::kUnknown()));
 }
 
-// the force first, then the scheduler, then the arm
+// order: the force, the scheduler, the arm
 void Openhaptics::close() {
   if (device_ == kBadHandle) return;
   servo_.leave();
@@ -131,7 +131,7 @@ void Openhaptics::exchange(const swage_command& command, swage_sample& sample) {
     close();
     if (!reach(why)) return;
   }
-  // the guard's force is for the sample that was given last
+  // the guard computed the force for the last sample
   Wanted want;
   want.force = toolkit::vec(command.force);
   want.p = last_.X_DS.p;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.openhaptics: an arm with forces (Touch, Touch X, Omni, Phantom Desktop). See openhaptics.md.
+// swage.device.openhaptics: an arm with force feedback (Touch, Touch X, Omni, Phantom Desktop). See openhaptics.md.
 #pragma once
 
 #include <swage/device.hpp>
@@ -26,7 +26,7 @@ class Openhaptics final : public Device<OpenhapticsParams> {
   static constexpr auto summary = "The stylus of a Touch, Touch X, Omni or Phantom Desktop leads the instrument and gives forces back.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  // the strongest of them; what the arm itself says is less for a Touch
+  // the strongest model; a Touch reports less
   static constexpr DeviceCard card{.flags = SWAGE_DEVICE_FORCE, .rate_hz = 1000, .max_force = 7.9};
 
   static constexpr std::array fields = {

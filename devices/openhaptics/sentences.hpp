@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this bundle tells of OpenHaptics and its arm. Tests name them, and never repeat their words.
+// Messages of this bundle about OpenHaptics and its arm. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "toolkit/sentence.hpp"

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kMm = 1e-3;       // m
 constexpr double kSlew = 300;      // N/s, as in the host's guard
-constexpr double kMostTick = 5e-3; // s; after a longer gap the force does not leap by what it missed
-constexpr int kQuietTicks = 10;    // without force before the scheduler is left
-constexpr int kMostErrors = 16;    // heard in a tick: the stack of a broken driver may have no end
+constexpr double kMostTick = 5e-3; // s; after a longer gap the force changes by no more than in one of this length
+constexpr int kQuietTicks = 10;    // ticks without force before the callback ends
+constexpr int kMostErrors = 16;    // read per tick: the error stack of a broken driver may be endless
 
 }  // namespace
 
@@ -44,12 +44,12 @@ Measured Servo::read() noexcept {
   hd_->GetDoublev(kAngularVelocity, w);
   hd_->GetIntegerv(kButtons, &buttons);
   hd_->GetIntegerv(kInkwell, &inkwell);
-  // an arm that has just been switched on learns where it is when its pen is in the inkwell
+  // an arm that was just switched on is calibrated when its pen is in the inkwell
   if (inkwell != 0 && ticks_ % 1000 == 0 && hd_->CheckCalibration() == kNeedsUpdate) hd_->UpdateCalibration(kInkwellStyle);
   Measured out;
   out.ticks = ++ticks_;
   out.time_s = now_s();
-  // 16 numbers column by column; the columns of its rotation are not quite square to each other
+  // 16 numbers column by column; the columns of its rotation are not exactly orthogonal
   toolkit::Mat3 R;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) R(r, c) = X[4 * c + r];
@@ -64,7 +64,7 @@ Measured Servo::read() noexcept {
   return out;
 }
 
-// The guard's force was for where the hand was; since then it has moved.
+// Extrapolates the guard's force from the hand's place at that sample to its present one.
 Vec3 Servo::force(const Measured& now, double dt) noexcept {
   wanted.read(want_);
   Vec3 f = Vec3::Zero();
@@ -102,7 +102,7 @@ unsigned Servo::run() noexcept {
   if (lost() == 0) measured.write(seen);
   if (!leaving_.load(std::memory_order_relaxed)) return kContinue;
   quiet_ = f.isZero() ? quiet_ + 1 : 0;
-  // an arm that is lost takes nothing any more
+  // a lost arm accepts no force any more
   if (quiet_ < kQuietTicks && lost() == 0) return kContinue;
   gone_.store(true, std::memory_order_release);
   return kDone;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the scheduler of OpenHaptics calls a thousand times a second: reads the arm, and closes the loop on what the host's force guard has
-// let through. SI outside, the library's units (mm, rad, N) inside.
+// The callback of the OpenHaptics scheduler at 1 kHz: reads the arm, and closes the loop on the command that passed the host's force
+// guard. SI in the interface, the library's units (mm, rad, N) inside.
 #pragma once
 
 #include <swage/abi/device.h>
@@ -18,17 +18,17 @@ namespace swage::openhaptics {
 using toolkit::Pose;
 using toolkit::Vec3;
 
-/// What the arm says.
+/// State of the arm.
 struct Measured {
   uint64_t ticks = 0;
   double time_s = 0;  // CLOCK_MONOTONIC
   Pose X_DS;          // stylus in the device's frame, m
   Vec3 v = Vec3::Zero(), w = Vec3::Zero();
   uint32_t buttons = 0;
-  double force = 0;   // N, that it was told
+  double force = 0;   // N, as commanded last
 };
 
-/// What the guard has let through, for a hand that was at p with v.
+/// Command that passed the guard, for a hand at p with velocity v.
 struct Wanted {
   Vec3 force = Vec3::Zero(), p = Vec3::Zero(), v = Vec3::Zero();
   double stiffness = 0, damping = 0;  // N/m, N s/m
@@ -37,14 +37,14 @@ struct Wanted {
 
 class Servo {
  public:
-  /// `most` [N]: never more, whatever is wanted.
+  /// `most` [N]: upper limit of the force, for any command.
   void start(const Hd* hd, unsigned device, double most);
-  /// What the scheduler is given as callback.
+  /// The callback for the scheduler.
   static unsigned tick(void* self) { return static_cast<Servo*>(self)->run(); }
-  /// No more force; the callback ends itself after ten ticks without. [any]
+  /// Stops the force; the callback ends itself after ten ticks without force. [any]
   void leave() noexcept { leaving_.store(true, std::memory_order_relaxed); }
   bool gone() const noexcept { return gone_.load(std::memory_order_acquire); }
-  /// Code of the error that lost the arm or took its forces; 0: none. [any]
+  /// Code of the error by which the arm was lost, or by which it lost its forces; 0: none. [any]
   unsigned lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
   unsigned forceless() const noexcept { return forceless_.load(std::memory_order_relaxed); }
 

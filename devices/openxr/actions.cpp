@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kHands[kSides] = {"/user/hand/left", "/user/hand/right"};
 
-// components of each profile below /input, "" where there is none; left and right differ where the second has a text
+// components of each profile below /input, "" where there is none; the second text is for the right hand
 struct Profile {
   const char* path;
   const char* trigger;
@@ -70,7 +70,7 @@ XrResult make_actions(const Xr& xr, XrInstance instance, XrSession session, Acti
   if (r == XR_SUCCESS) r = make_action(xr, a, "first", "First button", XR_ACTION_TYPE_BOOLEAN_INPUT, a.button[0]);
   if (r == XR_SUCCESS) r = make_action(xr, a, "second", "Second button", XR_ACTION_TYPE_BOOLEAN_INPUT, a.button[1]);
   if (r != XR_SUCCESS) return r;
-  // a runtime refuses profiles that it does not know; one is enough
+  // a runtime rejects unknown profiles; one known profile suffices
   int known = 0;
   for (const Profile& profile : kProfiles) known += suggest(xr, instance, a, profile) == XR_SUCCESS ? 1 : 0;
   if (known == 0) return XR_ERROR_PATH_UNSUPPORTED;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a controller of either hand is asked for, and where each kind of controller has it. [main or io], one thread at a time
+// Actions of the controllers of both hands, and their bindings for each kind of controller. [main or io], one thread at a time
 #pragma once
 
 #include "xr.hpp"
@@ -17,7 +17,7 @@ struct Actions {
   XrSpace space[kSides] = {};  // of the aim pose
 };
 
-/// Makes them and attaches them to the session. The first result that is no success.
+/// Creates the actions and attaches them to the session. Returns the first result that is not a success.
 XrResult make_actions(const Xr& xr, XrInstance instance, XrSession session, Actions& out);
 
 }  // namespace swage::openxr

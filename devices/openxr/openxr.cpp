@@ -8,7 +8,7 @@
 namespace swage::openxr {
 namespace {
 
-constexpr double kRetry = 2;  // s between two tries to reach a runtime that has ended
+constexpr double kRetry = 2;  // s between two attempts to reach a runtime that has ended
 
 double now_s() {
   timespec t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.openxr: the controller of a VR headset as a hand, without pictures in the headset. See openxr.md.
+// swage.device.openxr: the controller of a VR headset as a hand, without images in the headset. See openxr.md.
 #pragma once
 
 #include <swage/device.hpp>
@@ -45,7 +45,7 @@ class Openxr final : public Device<OpenxrParams> {
 
  private:
   std::shared_ptr<Runtime> runtime_;
-  std::optional<Vec3> first_;  // m, where the controller was first seen
+  std::optional<Vec3> first_;  // m, first known position of the controller
   double tried_s_ = 0;
 };
 

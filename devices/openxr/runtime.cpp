@@ -12,8 +12,8 @@ namespace {
 constexpr XrSpaceLocationFlags kTracked = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
                                           XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
 constexpr XrSpaceVelocityFlags kMoving = XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
-constexpr double kFarthest = 100;  // m; no room is larger
-constexpr int kMostEvents = 64;    // in one look: a broken runtime may have no end of them
+constexpr double kFarthest = 100;  // m; a position farther away is not valid
+constexpr int kMostEvents = 64;    // per read: a broken runtime may send an endless series
 
 Vec3 vec(const XrVector3f& v) { return {v.x, v.y, v.z}; }
 
@@ -27,7 +27,7 @@ std::shared_ptr<Runtime> Runtime::share(std::string& why) {
     const std::lock_guard<std::mutex> its(there->lock_);
     if (!there->lost_) return there;
     why = say::kEnded();
-    return nullptr;  // until its last holder lets it go
+    return nullptr;  // until its last owner releases it
   }
   std::shared_ptr<Runtime> made(new Runtime);
   if (!made->connect(why)) return nullptr;
@@ -68,7 +68,7 @@ bool Runtime::connect(std::string& why) {
   return false;
 }
 
-// False, and the connection is over, where the runtime says so.
+// True on success; errors after which the connection is lost set lost_.
 bool Runtime::good(XrResult result) {
   lost_ |= result == XR_ERROR_INSTANCE_LOST || result == XR_ERROR_SESSION_LOST || result == XR_ERROR_RUNTIME_FAILURE ||
            result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_HANDLE_INVALID;
@@ -87,7 +87,7 @@ void Runtime::hear_events() {
     if (changed.state == XR_SESSION_STATE_READY) {
       XrSessionBeginInfo begin{};
       begin.type = XR_TYPE_SESSION_BEGIN_INFO;
-      begin.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;  // without pictures it is not looked at
+      begin.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;  // ignored in a session without images
       running_ = good(xr_.BeginSession(session_, &begin));
     } else if (changed.state == XR_SESSION_STATE_STOPPING) {
       running_ = false;
@@ -109,7 +109,7 @@ bool Runtime::read(int side, Controller& out) {
   sync.type = XR_TYPE_ACTIONS_SYNC_INFO;
   sync.countActiveActionSets = 1;
   sync.activeActionSets = &active;
-  // a session that is not in front has no input: nothing is tracked then
+  // a session without focus has no input: nothing is tracked then
   if (good(xr_.SyncActions(session_, &sync))) read_controller(side, out);
   return !lost_;
 }

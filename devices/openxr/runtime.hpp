@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The connection of this process to the OpenXR runtime. A process may have one; the devices of both hands share it.
+// The connection of this process to the OpenXR runtime. A process can have one; the devices of both hands share it.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ using toolkit::Pose;
 using toolkit::Quat;
 using toolkit::Vec3;
 
-/// One controller at one moment, in the runtime's local space: x right, y up, z towards the user, as in the device frame.
+/// State of one controller, in the runtime's local space: x right, y up, z towards the user, as in the device frame.
 struct Controller {
-  bool tracked = false;  // place and direction are measured, not guessed
+  bool tracked = false;  // pose is measured, not estimated
   bool moving = false;   // v and w are measured
   Pose X_DA;             // A: the aim pose, pointing along its -z
   Vec3 v_D = Vec3::Zero(), w_D = Vec3::Zero();  // m/s, rad/s
@@ -29,7 +29,7 @@ struct Controller {
 
 class Runtime {
  public:
-  /// The connection that there is, or a new one; nullptr and why not, a sentence with the remedy. It ends with its last holder. [main or io]
+  /// The existing connection or a new one; nullptr and the reason, a sentence with the remedy. It ends with its last owner. [main or io]
   static std::shared_ptr<Runtime> share(std::string& why);
   ~Runtime();
   Runtime(const Runtime&) = delete;
@@ -47,7 +47,7 @@ class Runtime {
   void read_controller(int side, Controller& out);
   uint32_t buttons(int side);
 
-  std::mutex lock_;  // of everything below
+  std::mutex lock_;  // protects everything below
   Xr xr_{};
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSession session_ = XR_NULL_HANDLE;

@@ -41,7 +41,7 @@ bool find_all(Xr& x, XrInstance i, std::string& why) {
          find(x, i, "xrConvertTimespecTimeToTimeKHR", x.ConvertTimespecTimeToTimeKHR, why);
 }
 
-// "" where the runtime has every extension that is needed
+// "" where the runtime has all required extensions
 std::string missing_extension(const Xr& xr, std::string& why) {
   PFN_xrEnumerateInstanceExtensionProperties enumerate = nullptr;
   if (!find(xr, XR_NULL_HANDLE, "xrEnumerateInstanceExtensionProperties", enumerate, why)) return "?";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is used of OpenXR, found at run time through its loader.
+// The part of OpenXR that is used, loaded at run time through its loader.
 #pragma once
 
 #include <time.h>
@@ -38,7 +38,7 @@ struct Xr {
   PFN_xrConvertTimespecTimeToTimeKHR ConvertTimespecTimeToTimeKHR;
 };
 
-/// An instance of whichever runtime is active, for input without pictures (XR_MND_headless). False and why not, a sentence with the
+/// Creates an instance of the active runtime, for input without images (XR_MND_headless). False and the reason, a sentence with the
 /// remedy. [main or io], one thread at a time
 bool make_instance(Xr& xr, XrInstance& instance, std::string& why);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A hand that is led by speeds: sticks and caps that spring back. Pure arithmetic. [any]
+// A hand that is controlled by velocities: sticks and caps that spring back. Pure arithmetic. [any]
 #pragma once
 
 #include <swage/abi/device.h>
@@ -16,26 +16,26 @@ using toolkit::Pose;
 using toolkit::Vec3;
 
 struct Speeds {
-  double dead = 0.1;        // share of an axis that does nothing: worn sticks rest up to 8 % off their middle
-  double exponent = 2;      // of the way beyond it: slow near the middle, quick at the end
-  double move = 20e-3;      // m/s at the end
-  double turn = 1.2;        // rad/s at the end
-  double smoothing = 0.05;  // s, time constant of the speeds: an axis moves in steps, a hand does not
+  double dead = 0.1;        // dead zone, share of an axis: worn sticks rest up to 8 % off their middle
+  double exponent = 2;      // of the deflection beyond the dead zone: slow near the middle, quick at the end
+  double move = 20e-3;      // m/s at full deflection
+  double turn = 1.2;        // rad/s at full deflection
+  double smoothing = 0.05;  // s, time constant of the velocities: an axis changes in steps
 };
 
-/// An axis of -1..1 without its middle. What is not a number is 0.
+/// Response of an axis of -1..1, with its dead zone. NaN gives 0.
 inline double shaped(double x, const Speeds& s) {
   const double way = std::min(std::abs(x), 1.0) - s.dead;
   return way > 0 ? std::copysign(std::pow(way / (1 - s.dead), s.exponent), x) : 0;
 }
 
-/// Where the hand is, in the device frame. It stays where it is while nobody leads it.
+/// Pose of the hand in the device frame. It does not move while the axes are at rest.
 class RateHand {
  public:
   RateHand() = default;
   explicit RateHand(const Pose& start) : pose_(start) {}
 
-  /// One step of dt [s] with both axes in -1..1. A step is never longer than 50 ms: after a pause the hand does not leap.
+  /// One step of dt [s] with both axes in -1..1. dt is limited to 50 ms: after a pause the hand does not jump.
   void step(const Vec3& move, const Vec3& turn, const Speeds& s, double dt) {
     dt = dt > 0 ? std::min(dt, 0.05) : 0;
     const double share = s.smoothing > 0 ? 1 - std::exp(-dt / s.smoothing) : 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.replay: plays the samples of a hand again. See replay.md.
+// swage.device.replay: plays recorded samples of a hand. See replay.md.
 #pragma once
 
 #include <swage/device.hpp>

@@ -25,7 +25,7 @@ void Scripted::draw() {
   const auto uniform = [this] { return random(); };
   tremor_.draw(params_.tremor, params_.tremor_band.low, params_.tremor_band.high, uniform);
 
-  // three normal numbers by Box and Muller; 1 - random() is never 0
+  // three normally distributed numbers by Box and Muller; 1 - random() is never 0
   for (int k = 0; k < 3; ++k) {
     const double r = std::sqrt(-2 * std::log(1 - random()));
     spot_error_W_[k] = params_.spot_error / std::sqrt(3.0) * r * std::cos(2 * std::numbers::pi * random());

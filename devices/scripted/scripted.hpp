@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.scripted: a hand that does what a file says, with or without human flaws. See scripted.md.
+// swage.device.scripted: a hand that follows a file, with or without human errors. See scripted.md.
 #pragma once
 
 #include <swage/device.hpp>

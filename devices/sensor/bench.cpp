@@ -45,7 +45,7 @@ void Bench::listen(double now_s) {
 }
 
 void Bench::begin(double now_s, double seconds) {
-  listen(now_s);  // what was on its way is of before
+  listen(now_s);  // drops measurements from before
   measuring_ = true;
   beyond_ = false;
   until_s_ = now_s + seconds;
@@ -53,7 +53,7 @@ void Bench::begin(double now_s, double seconds) {
 }
 
 std::string Bench::mean(double& volts) const {
-  // 20 mV, 20 um: a hand or a bench that still moves is no point
+  // 20 mV, 20 um: a hand or a bench that still moves gives no valid mean
   constexpr double kStill = 20e-3;
   if (beyond_) return say::kBeyondRange();
   if (n_ < 5) return say::kFewMeasurements(n_);
@@ -98,7 +98,7 @@ bool Draft::any_length() const {
 
 std::optional<double> Draft::closed_length() const {
   if (pose_volts[1]) return in_use().length(*pose_volts[1]);
-  // a new fit gives other lengths to the same pose
+  // a new fit gives other lengths for the same pose
   if (stored_ && stored_->poses.known() && !any_length()) return stored_->poses.closed;
   return std::nullopt;
 }
@@ -125,7 +125,7 @@ std::string Draft::forces(Calibration& out) const {
   }
   out.force = force;
   out.tip = tips;
-  out.check = {};  // of the tables before
+  out.check = {};  // it belonged to the former tables
   return "";
 }
 
@@ -154,7 +154,7 @@ std::string Draft::finish(const std::string& today, Calibration& out) const {
     c.date = today;
     c.expires = days_after(today, valid_days);
     c.displacement = fit_;
-    c.poses = {};  // in lengths of the fit before
+    c.poses = {};  // they were in lengths of the former fit
   }
   if (pose_volts[0] && pose_volts[1] && pose_volts[2]) {
     const Displacement& d = in_use();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A jaw sensor that is asked for means while a bench or a person holds it still, and what the answers make of its calibration: shared
-// by `swage calibrate` and the console. Never waits: who asks calls listen() again and again. [main]
+// Measurement of means with a jaw sensor that a bench or a person holds still, and the calibration made from them: shared
+// by `swage calibrate` and the console. Never blocks: the caller polls listen(). [main]
 #pragma once
 
 #include <array>
@@ -16,24 +16,24 @@ namespace swage::sensor {
 
 class Bench {
  public:
-  /// "" as the port: the only serial adapter that there is. "" or why not, as a sentence.
+  /// Opens a port; "" as the port: the only serial adapter. Returns "" or the reason, as a sentence.
   std::string open(const std::string& port, int bits_per_s);
   void close() { link_.close(); }
   bool plugged() const { return link_.plugged(); }
-  /// Takes what has come.
+  /// Takes the measurements that have arrived.
   void listen(double now_s);
-  bool known() const { return !link_.info("serial").empty(); }  // it has said who it is
+  bool known() const { return !link_.info("serial").empty(); }  // its serial number has arrived
   std::string serial() const { return link_.info("serial"); }
   std::string name() const { return link_.info("name"); }
   const std::string& port() const { return port_; }
   std::optional<double> volts() const { return volts_; }  // the newest measurement, V
 
-  /// A mean from now on, over so many seconds.
+  /// Begins a mean over the next `seconds`.
   void begin(double now_s, double seconds);
   bool measuring() const { return measuring_; }
-  /// Once it is over: "" and the mean, or why there is none, as a sentence.
+  /// After its end: "" and the mean, or the reason why there is none, as a sentence.
   std::string mean(double& volts) const;
-  /// Of a gauge on the handle over the same time, N; nothing without one.
+  /// Mean of a force gauge on the handle over the same time, N; nothing without a gauge.
   std::optional<double> gauge() const { return n_gauge_ > 0 ? std::optional(sum_gauge_ / n_gauge_) : std::nullopt; }
 
  private:
@@ -46,7 +46,7 @@ class Bench {
   int n_ = 0, n_gauge_ = 0;
 };
 
-/// A calibration while it is made: rows of a bench, the fit of those that are measured, the three poses of a session.
+/// A calibration in progress: rows of a bench, the fit of the measured ones, the three poses of a session.
 class Draft {
  public:
   struct Row {
@@ -63,8 +63,8 @@ class Draft {
   std::string serial, name, by;
   int valid_days = 365;
   std::array<std::optional<double>, 3> pose_volts;  // open, just closed, squeezed
-  std::optional<double> zero_volts, zero_gauge_N;  // of a handle that is let go, where the stored poses stay; of its gauge
-  /// One force of the handle, typed, with the volts at which it was; and, where a gauge was between the tips, the force there.
+  std::optional<double> zero_volts, zero_gauge_N;  // of a released handle, where the stored poses are kept; N, of its gauge
+  /// One force on the handle, as entered, with the volts measured at it; and, where a gauge was between the tips, the force there.
   struct ForceRow {
     std::optional<double> handle_N, tip_N, volts;
   };
@@ -72,25 +72,25 @@ class Draft {
   std::array<ForceRow, kForceRows> force_rows;
   std::optional<double> check_volts;  // at kCheckForce at the tips
 
-  /// The fit of what is measured so far; "" or why there is none. The rows of `fit().points` are in the order of their length.
+  /// Fits what is measured so far; "" or the reason why there is no fit. The rows of `fit().points` are sorted by length.
   std::string refit();
   const Displacement& fit() const { return fit_; }
-  /// The fit, or the stored one while no length has been measured: poses and forces of a session need no bench.
+  /// The fit, or the stored one while no length has been measured: new poses and forces of a session need no bench.
   const Displacement& in_use() const { return fit_.valid() || !stored_ || any_length() ? fit_ : stored_->displacement; }
-  /// Tables of forces from the rows, over the travel from just closed; "" or why there are none.
+  /// Tables of forces from the rows, over the travel from just closed; "" or the reason why there are none.
   std::string forces(Calibration& out) const;
-  /// N at the tips that the calibration makes of these volts, and the sentence of check_tip; nothing without a table of forces.
+  /// The force at the tips [N] by the calibration for these volts, and the message of check_tip; nothing without a table of forces.
   std::optional<TipCheck> tip_check(double volts, const std::string& today) const;
-  /// What is stored of this sensor is where a new one begins: geometry and table of forces stay, and poses tell another handle apart.
+  /// Starts from the stored calibration of this sensor: geometry and tables of forces are kept, and its poses reveal another handle.
   std::string begin_from(const std::string& path);
-  /// The stored poses may be given a new zero: they are there, and neither a length nor a pose has been measured since.
+  /// True when the stored poses may get a new zero: they exist, and neither a length nor a pose has been measured since.
   bool may_zero() const;
-  /// Everything that is known now, as it would be kept; "" or why it cannot be.
+  /// The calibration as it would be saved now; "" or the reason why it cannot be.
   std::string finish(const std::string& today, Calibration& out) const;
 
  private:
   bool any_length() const;
-  std::optional<double> closed_length() const;  // m, of the sensor where the jaws just meet
+  std::optional<double> closed_length() const;  // m, length of the sensor where the jaws just meet
   std::vector<Row> rows_;
   Displacement fit_;
   std::optional<Calibration> stored_;

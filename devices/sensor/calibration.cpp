@@ -19,7 +19,7 @@ std::string digits(const char* format, double value) {
 
 std::string mm(double m) { return digits("%.3g mm", 1e3 * m); }
 
-// least squares over points [first, last); residuals into the points
+// least squares over points [first, last); stores the residuals in the points
 Displacement line_through(std::vector<BenchPoint>& p, std::size_t first, std::size_t last) {
   const auto n = static_cast<double>(last - first);
   double v = 0, l = 0, vv = 0, vl = 0;
@@ -61,7 +61,7 @@ std::string fit_displacement(std::vector<BenchPoint> points, const FitLimits& li
   const std::size_t all = points.size();
   double nearest = 1e300;
   for (std::size_t n = all; n >= limits.fewest; --n) {
-    // the end of a bench is cut before its beginning only when that is better
+    // of equally long runs the first is kept unless a later one is better
     Displacement best;
     best.worst = 1e300;
     std::size_t at = 0;
@@ -103,7 +103,7 @@ std::string MonotoneCurve::set(std::vector<Point> points) {
     const double w1 = 2 * h[i] + h[i - 1], w2 = h[i] + 2 * h[i - 1];
     slope_[i] = (w1 + w2) / (w1 / d[i - 1] + w2 / d[i]);
   }
-  // at an end: the parabola through three points, kept from turning round
+  // at an end: slope of the parabola through three points, limited so that the curve stays monotone
   const auto end = [](double h0, double h1, double d0, double d1) {
     const double s = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
     if (s * d0 <= 0) return 0.0;
@@ -141,7 +141,7 @@ double MonotoneCurve::slope(double x) const {
 
 std::string check_poses(const Poses& p, const Poses& stored) {
   if (!std::isfinite(p.open) || !std::isfinite(p.closed) || !std::isfinite(p.squeezed)) return say::kPoseNoNumber();
-  // 20 um, ten times the sensor's resolution, is no movement of a hand
+  // 20 um, ten times the sensor's resolution, is less than any movement of a hand
   constexpr double kLeast = 20e-6;
   const double way = p.open - p.closed, squeeze = p.closed - p.squeezed;
   if (std::abs(way) < kLeast) return say::kSamePoses(mm(kLeast));

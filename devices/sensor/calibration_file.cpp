@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "swage-calibration/1";
 
-// what is wrong, found while reading
+// exception: the fault found while reading
 struct Wrong {
   std::string text;
 };
@@ -45,7 +45,7 @@ std::string text(const Json& in, const char* key) {
   return it->get<std::string>();
 }
 
-// the keys that a part has, and nothing else: a misspelt one would be lost unseen
+// an object that may have these keys only: a misspelt key would be ignored silently
 const Json* part(const Json& in, const char* key, std::initializer_list<const char*> known) {
   const auto it = in.find(key);
   if (it == in.end()) return nullptr;

@@ -12,23 +12,23 @@ namespace swage::sensor {
 
 /// $XDG_DATA_HOME/swage/calibrations, or ~/.local/share/swage/calibrations.
 std::string calibration_folder();
-/// Where the calibration of a sensor is kept; "" for a serial that cannot name a file.
+/// Path of the calibration of a sensor; "" for a serial number that cannot be a file name.
 std::string calibration_path(const std::string& serial);
 /// Files of the folder, sorted.
 std::vector<std::string> calibration_files();
 
-/// "" or a sentence with file, key, what is wrong and what is allowed. The curve is checked as in the model.
+/// "" or a sentence with file, key, fault and allowed values. The curve is checked as in the model.
 std::string load_calibration(const std::string& path, Calibration& out);
-/// As it is written, JSON.
+/// The calibration as JSON, as it is saved.
 std::string calibration_text(const Calibration& calibration);
-/// Written beside and renamed, so a file is whole or the old one. "" or a sentence.
+/// Writes a temporary file and renames it, so that a crash leaves the whole new file or the old one. "" or a sentence.
 std::string save_calibration(const std::string& path, const Calibration& calibration);
 
-/// 2026-11-22, local.
+/// Today's date, local, as 2026-11-22.
 std::string today();
-/// A date `days` after another. "" for no date.
+/// The date `days` after another. "" for an invalid date.
 std::string days_after(const std::string& date, int days);
-/// Whole days from one date to a later one; 0 where one of them is none.
+/// Whole days from one date to a later one; 0 where one of them is invalid.
 int days_between(const std::string& from, const std::string& to);
 
 }  // namespace swage::sensor

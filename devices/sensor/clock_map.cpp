@@ -13,15 +13,15 @@ void ClockMap::reset() {
   t_ = 0;
 }
 
-// The clock without its wraps. A clock of 16 bits wraps every 65 ms: the host's clock tells how often.
+// The sensor clock without wraps. A clock of 16 bits wraps every 65 ms: the host's clock tells how often it did.
 double ClockMap::unwrapped(uint32_t clock_us, int bits, double arrival_s) {
   const double range = std::ldexp(1e-6, bits);  // s
   const uint32_t mask = bits >= 32 ? 0xFFFFFFFFu : (uint32_t{1} << bits) - 1;
   double ahead = 1e-6 * static_cast<double>((clock_us - last_us_) & mask);
   const double waited = arrival_s - arrival_;
   ahead += range * std::max(0.0, std::round((waited - ahead) / range));
-  // a 32-bit clock that jumps far ahead of the host, or back, is that of a sensor which has restarted
-  constexpr double kJump = 1;  // s, of delay that no bus makes
+  // a 32-bit clock that jumps back, or far ahead of the host, belongs to a restarted sensor
+  constexpr double kJump = 1;  // s, more than the delay of any bus
   const bool jumped = ahead > waited + kJump + kMostDrift * waited && bits >= 32;
   return jumped ? -1 : t_ + ahead;
 }
@@ -46,15 +46,15 @@ double ClockMap::stamp(uint32_t clock_us, int bits, double arrival_s) {
   } else if (now.delay - slope_ * t < lowest_[used_ - 1].delay - slope_ * lowest_[used_ - 1].t) {
     lowest_[used_ - 1] = now;
   }
-  // the lowest line of this slope; nothing may arrive before it was measured
+  // the lowest line with this slope; no message may arrive before its measurement
   double offset = now.delay - slope_ * t;
   for (std::size_t i = 0; i < used_; ++i) offset = std::min(offset, lowest_[i].delay - slope_ * lowest_[i].t);
   return stamp_ = std::min(arrival_s, std::max(stamp_, t + offset + slope_ * t));
 }
 
-// The edge of the lower hull over the middle of the span: the line below all points that is nearest to them together.
+// Slope of the edge of the lower convex hull over the middle of the span: of the lines below all points, the one nearest to them in sum.
 void ClockMap::fit() {
-  if (used_ < 5) return;  // two seconds: below that the scatter of a bus looks like drift
+  if (used_ < 5) return;  // less than two seconds: there the scatter of a bus looks like drift
   double middle = 0;
   for (std::size_t i = 0; i < used_; ++i) middle += lowest_[i].t / static_cast<double>(used_);
   double best = 0, height = -1e300;

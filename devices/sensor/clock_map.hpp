@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// When a sensor measured, on the host's clock. A message can only come late, by what buses and schedulers make of it: the line that
-// runs below all arrivals of the last ten seconds is the sensor's clock. Pure arithmetic. [any]
+// Time of a sensor's measurement on the host's clock. A message arrives only late, never early, by the delay of buses and schedulers: the
+// lower bound of all arrival times in the last ten seconds is the sensor's clock. Pure arithmetic. [any]
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@ namespace swage::sensor {
 
 class ClockMap {
  public:
-  /// Time of the measurement [s, host] of a message with this clock, which arrived at `arrival_s`. Never after its arrival and never
-  /// before the last one's. `bits`: at which the sensor's clock wraps, 16 or 32.
+  /// Time of the measurement [s, host clock] of a message with this sensor clock that arrived at `arrival_s`. Not after arrival, nor
+  /// before the last measurement. `bits`: width of the sensor's clock, 16 or 32.
   double stamp(uint32_t clock_us, int bits, double arrival_s);
-  /// The sensor has restarted, or is another one.
+  /// Starts anew: the sensor has restarted, or is another one.
   void reset();
 
-  double drift() const { return slope_; }  // s of the host gained per second of the sensor
+  double drift() const { return slope_; }  // relative rate difference: s of the host's clock gained per second of the sensor's
   uint32_t restarts() const { return restarts_; }
 
  private:
   struct Point {
-    double t = 0, delay = 0;  // s of the sensor; arrival minus t
+    double t = 0, delay = 0;  // s, sensor clock; s, arrival minus t
   };
-  // a span of ten seconds in buckets of half a second: shorter spans see the drift less well, longer ones follow a warming crystal late
+  // ten seconds in buckets of half a second: a shorter span resolves the drift less well, a longer one follows a warming crystal late
   static constexpr std::size_t kBuckets = 20;
   static constexpr double kBucket = 0.5;  // s
-  // ceramic resonators are off by up to 0.5 %; what is above twice that is no clock
+  // ceramic resonators are off by up to 0.5 %; more than twice that is a fault
   static constexpr double kMostDrift = 0.01;
 
   double unwrapped(uint32_t clock_us, int bits, double arrival_s);

@@ -16,7 +16,7 @@ std::size_t width(ForeignTable::Format format) {
   return format == ForeignTable::kText ? 0 : format == ForeignTable::kI24BigEnd ? 3 : 2;
 }
 
-// The n-th number of a text. What follows a letter is part of a name: CH1 is none.
+// The n-th number of a text. Digits after a letter belong to a name, as in CH1.
 bool nth_number(const std::string& text, int n, double& out) {
   const char* const end = text.data() + text.size();
   bool in_word = false;
@@ -97,7 +97,7 @@ bool ForeignDecoder::take(char c, double& volts) {
     if (buffer_.size() > kLongest) ++bad_, restart();
     return false;
   }
-  // bytes in a wrong place: drop the oldest, until the end stands where it belongs
+  // bytes out of step: drops the oldest, until the end marker is in its place
   if (!text && !ends) {
     buffer_.erase(0, 1);
     ++bad_;

@@ -10,11 +10,11 @@ namespace swage::sensor {
 
 namespace {
 
-constexpr std::size_t kPayload = 10;  // type, number, clock 2, value 3, status, check 2
+constexpr std::size_t kPayload = 10;  // type, sequence number, clock 2, value 3, status, check 2
 
 uint8_t byte(char c) { return static_cast<uint8_t>(c); }
 
-// the next field before a comma; the rest stays in `text`
+// returns the field before the next comma; the rest stays in `text`
 std::string_view field(std::string_view& text) {
   const std::size_t at = text.find(',');
   const std::string_view out = text.substr(0, at);
@@ -34,7 +34,7 @@ std::string with_check(const std::string& body) {
   return "$" + body + check;
 }
 
-// Consistent overhead byte stuffing of a payload below 254 bytes: no zero within
+// Consistent overhead byte stuffing of a payload below 254 bytes: the result has no zero
 std::string stuffed(std::string_view payload) {
   std::string out(1, '\0');
   std::size_t code = 0;
@@ -51,7 +51,7 @@ std::string stuffed(std::string_view payload) {
   return out;
 }
 
-// false when it was not stuffed, or has another length
+// false where the input is not valid COBS, or has another length
 bool unstuffed(std::string_view in, std::array<char, kPayload>& out) {
   std::size_t n = 0, at = 0;
   while (at < in.size()) {
@@ -143,7 +143,7 @@ Reading parse_frame(std::string_view text) {
   out.sequence = at(1);
   out.clock_us = at(2) | at(3) << 8;
   const uint32_t value = at(4) | at(5) << 8 | at(6) << 16;
-  out.value = static_cast<int32_t>(value ^ 0x800000) - 0x800000;  // sign of 24 bits
+  out.value = static_cast<int32_t>(value ^ 0x800000) - 0x800000;  // sign extension from 24 bits
   out.status = byte(p[7]);
   return out;
 }

@@ -10,14 +10,14 @@ namespace swage::sensor {
 
 namespace {
 
-// s between two tries to find a port again: a person sees it at once, and a hub has had its time
+// s between two attempts to reopen a port: short for a person, and long enough for a hub to settle
 constexpr double kRetry = 0.25;
-// s between two questions who is there, and how long before a sensor counts as one that does not say: a board that restarts when its
+// s between two queries of the identity, and s after which a sensor counts as one that does not report it: a board that restarts when its
 // port is opened needs two
 constexpr double kAskAgain = 0.5, kSilentType = 3;
-// s of silence after which what had begun is no message any more
+// s of silence after which an incomplete message is dropped
 constexpr double kGap = 0.05;
-constexpr std::size_t kMostInfo = 16;  // keys that are kept of what a sensor says of itself
+constexpr std::size_t kMostInfo = 16;  // largest number of stored info keys of a sensor
 
 }  // namespace
 
@@ -54,7 +54,7 @@ const std::string& SensorLink::info(const std::string& key) const {
   return it != info_.end() ? it->second : none;
 }
 
-// Who are you, how fast, and in frames if they are wanted. A sensor that still speaks in frames from before is brought back to lines.
+// Queries identity and rate, and requests frames if wanted. A sensor that still sends frames from before is switched back to lines.
 void SensorLink::ask(double now) {
   const double wait = settings_.foreign ? 1 / std::max(1.0, settings_.rate_hz > 0 ? settings_.rate_hz : 100.0) : kAskAgain;
   if (now - asked_s_ < wait) return;
@@ -115,7 +115,7 @@ bool SensorLink::take_jaw1(const Reading& r, double now, Measurement& out) {
   const bool frames = decoder_.binary();
   if ((r.status & kRestarted) != 0 && counting_) ++restarts_, counting_ = false, clock_.reset();
   const uint32_t mask = frames ? 0xFFu : 0xFFFFFFFFu, ahead = (r.sequence - sequence_) & mask;
-  // a jump back is a restart, not four thousand million messages that were lost
+  // a jump back is a restart, not a loss of four thousand million messages
   if (counting_ && ahead > 1 && ahead < 1000) missed_ += ahead - 1;
   counting_ = true;
   sequence_ = r.sequence;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A jaw sensor at the end of a port: asks who it is, reads it, and finds it again after it was unplugged. Never waits. One thread at a
+// A jaw sensor on a port: queries its identity, reads it, and reopens it after it was unplugged. Never blocks. One thread at a
 // time, [main] or [io].
 #pragma once
 
@@ -18,9 +18,9 @@ namespace swage::sensor {
 struct LinkSettings {
   std::string port;
   int bits_per_s = 115200;
-  bool binary = false;   // frames instead of lines, of JAW1
-  double rate_hz = 0;    // asked of the sensor; 0: as it is
-  bool foreign = false;  // `table` instead of JAW1
+  bool binary = false;   // JAW1 frames instead of lines
+  double rate_hz = 0;    // requested of the sensor; 0: its own rate
+  bool foreign = false;  // uses `table` instead of JAW1
   ForeignTable table;
 };
 
@@ -28,26 +28,26 @@ struct LinkSettings {
 struct Measurement {
   Reading::Kind kind = Reading::kNone;
   double value = 0;   // V of kJaw, N of kGrip
-  double time_s = 0;  // when, on CLOCK_MONOTONIC
+  double time_s = 0;  // time of the measurement, on CLOCK_MONOTONIC
   uint8_t status = 0;
 };
 
 class SensorLink {
  public:
-  /// "" or why not, as a sentence.
+  /// Opens the port. "" or the reason, as a sentence.
   std::string open(const LinkSettings& settings);
   void close() { port_.close(); }
 
-  /// The next measurement that has arrived by `now_s`; false when there is none. Tries to reopen a port that is gone.
+  /// The next measurement that has arrived by `now_s`; false when there is none. Tries to reopen a lost port.
   bool next(double now_s, Measurement& out);
 
   bool plugged() const { return port_.is_open(); }
-  uint32_t connections() const { return connections_; }  // how often the port was opened
+  uint32_t connections() const { return connections_; }  // number of times that the port was opened
   uint32_t restarts() const { return clock_.restarts() + restarts_; }
-  uint64_t bad() const { return decoder_.bad() + foreign_.bad(); }  // messages that were not whole
-  uint64_t missed() const { return missed_; }                       // numbers left out between two messages
+  uint64_t bad() const { return decoder_.bad() + foreign_.bad(); }  // number of invalid messages
+  uint64_t missed() const { return missed_; }                       // sequence numbers skipped between messages
   double drift() const { return clock_.drift(); }
-  /// What the sensor says of itself since it was last plugged in: "serial", "name", "fw", "rate". "" when it did not.
+  /// Value that the sensor has reported since it was last plugged in: "serial", "name", "fw", "rate". "" where it has not.
   const std::string& info(const std::string& key) const;
 
  private:
@@ -70,7 +70,7 @@ class SensorLink {
   uint64_t missed_ = 0;
 };
 
-/// Seconds of CLOCK_MONOTONIC.
+/// Present time of CLOCK_MONOTONIC, s.
 double now_s();
 
 }  // namespace swage::sensor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this library tells of ports, measurements and calibrations. Tests name them, and never repeat their words.
+// Messages of this library about ports, measurements and calibrations. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -28,7 +28,7 @@ inline constexpr auto kClosedFirst = "Measure the pose \"just closed\" first: th
 inline constexpr auto kWhoCalibrates = "Say who calibrates."_sentence;
 inline constexpr auto kNoFit = "There is no fit yet."_sentence;
 
-// the fit of lengths
+// fit of lengths
 inline constexpr auto kFewPoints = "A fit needs {} points or more, 13 over 6 mm are usual; there are {}."_sentence;
 inline constexpr auto kNoPoint = "A point is not a number."_sentence;
 inline constexpr auto kSameLength = "Two points have the same length, {}."_sentence;
@@ -60,11 +60,11 @@ inline constexpr auto kSetZero = " If nobody holds it, set its zero: swage calib
 inline constexpr auto kNoTriangle = "Swivels at {} and {} from the pivot cannot be {} apart."_sentence;
 inline constexpr auto kLongestOpen = "With this geometry the sensor is longest when the handle is open; here it is shortest."_sentence;
 
-// whose calibration, and of when
+// identity and date of a calibration
 inline constexpr auto kOtherSensor = "The calibration is that of the sensor {}, and this one is {}."_sentence;
 inline constexpr auto kExpired = "The calibration of {} expired on {}. Make a new one: swage calibrate displacement."_sentence;
 
-// a file of a calibration
+// calibration files
 inline constexpr auto kNumber = "{}{} is a number"_sentence;
 inline constexpr auto kText = "{} is a text"_sentence;
 inline constexpr auto kObject = "{} is an object"_sentence;

@@ -34,7 +34,7 @@ std::string why_not(const std::string& path, int error) {
   return say::kNotOpened(path, std::strerror(error));
 }
 
-// An adapter of FTDI keeps bytes back for 16 ms unless it is told to be quick. Others know no such thing.
+// FTDI adapters buffer bytes for 16 ms unless low latency is requested. Others do not support the request.
 void make_quick(int file) {
   serial_struct serial{};
   if (ioctl(file, TIOCGSERIAL, &serial) != 0) return;
@@ -75,9 +75,9 @@ std::string SerialPort::open(const std::string& path, int bits_per_s) {
     ::close(file);
     return why;
   }
-  ioctl(file, TIOCEXCL);  // a second reader would take every other byte
+  ioctl(file, TIOCEXCL);  // with a second reader each would get a part of the bytes
   make_quick(file);
-  tcflush(file, TCIFLUSH);  // what waited is old
+  tcflush(file, TCIFLUSH);  // discards old bytes
   file_ = file;
   return "";
 }
@@ -94,7 +94,7 @@ int SerialPort::read(char* buffer, std::size_t size) {
   const ssize_t n = ::read(file_, buffer, size);
   if (n > 0) return static_cast<int>(n);
   if (n < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
-  // with VMIN 0 nothing to read is 0 bytes, and so is a port that was hung up
+  // with VMIN 0, read() returns 0 both when there are no bytes and when the port was hung up
   pollfd state{file_, POLLIN, 0};
   if (n == 0 && poll(&state, 1, 0) >= 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0) return 0;
   close();

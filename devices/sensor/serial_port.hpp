@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A serial port that never makes its caller wait. [main or io], one thread at a time
+// A serial port that never blocks its caller. [main or io], one thread at a time
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// "" or why not, with what to do, as a sentence. `bits_per_s`: one of rates().
+  /// Opens a port. "" or the reason, with the remedy, as a sentence. `bits_per_s`: one of rates().
   std::string open(const std::string& path, int bits_per_s);
   void close();
   bool is_open() const { return file_ >= 0; }
 
-  /// What is there now, at most `size` bytes; 0 when there is nothing. -1: it was unplugged, and is closed.
+  /// Reads the available bytes, at most `size`; 0 when there are none. -1: it was unplugged, and is now closed.
   int read(char* buffer, std::size_t size);
-  /// As much as goes at once. False: it was unplugged, and is closed.
+  /// Writes as much as possible without blocking. False: it was unplugged, and is now closed.
   bool write(std::string_view bytes);
 
   static const std::vector<int>& rates();
@@ -33,7 +33,7 @@ class SerialPort {
   int file_ = -1;
 };
 
-/// Serial adapters of this machine by their lasting names: /dev/serial/by-id/...
+/// Serial adapters of this machine by their persistent names: /dev/serial/by-id/...
 std::vector<std::string> serial_adapters();
 
 }  // namespace swage::sensor

@@ -77,7 +77,7 @@ void SimulatedSensor::hear() {
 void SimulatedSensor::obey(const std::string& command) {
   if (command == "B0") binary_ = false;
   if (command == "B1") {
-    if (!binary_) waiting_ += '\0';  // ends what a reader has begun
+    if (!binary_) waiting_ += '\0';  // ends a message that a reader has begun
     binary_ = true;
   }
   if (command.size() > 1 && command[0] == 'R') {
@@ -112,7 +112,7 @@ void SimulatedSensor::flush(double now) {
   flushed_s_ = now;
   const ssize_t n = ::write(master_, waiting_.data(), waiting_.size());
   if (n > 0) waiting_.erase(0, static_cast<std::size_t>(n));
-  // nobody reads: a port keeps no more than this
+  // without a reader a port buffers no more than this
   constexpr std::size_t kMost = 4096;
   if (waiting_.size() > kMost) waiting_.clear();
 }

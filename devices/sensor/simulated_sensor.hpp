@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A jaw sensor that is none: speaks JAW1 over a pseudo terminal, with every fault that a real one has. [main], one thread at a time
+// A simulated jaw sensor: speaks JAW1 over a pseudo terminal, with all faults of a real one. [main], one thread at a time
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace swage::sensor {
 
 struct SimulatedFaults {
   double drift = 0;           // relative, of its clock: a ceramic resonator is off by up to 0.005
-  double burst_s = 0;         // s for which an adapter keeps bytes back: 0.016 is usual for FTDI
-  uint32_t corrupt_each = 0;  // every n-th message has one wrong bit, 0: none
+  double burst_s = 0;         // s for which an adapter buffers bytes: 0.016 is usual for FTDI
+  uint32_t corrupt_each = 0;  // every n-th message gets one wrong bit, 0: none
   uint32_t lose_each = 0;     // every n-th message is not sent
 };
 
@@ -26,7 +26,7 @@ class SimulatedSensor {
     bool grip = false;  // also sends $GRP
     SimulatedFaults faults;
   };
-  /// What it measures at a time since its start [s]: V at the jaw sensor, N at the strain gauge.
+  /// Measured values at a time since the start [s]: V of the jaw sensor, N of the strain gauge.
   struct Measured {
     double volts = 0, newtons = 0;
     uint8_t status = 0;
@@ -38,16 +38,16 @@ class SimulatedSensor {
   SimulatedSensor(const SimulatedSensor&) = delete;
   SimulatedSensor& operator=(const SimulatedSensor&) = delete;
 
-  /// A port at which it can be read; the same name each time when `link` names one, else that of the terminal. "" when there is none.
+  /// Opens a port from which it can be read; under the name `link` where given, else that of the terminal. "" when there is none.
   std::string plug(const std::string& link = "");
-  void unplug();          // the reader's port hangs up
+  void unplug();          // the port hangs up for its reader
   bool plugged() const { return master_ >= 0; }
-  void restart();         // number and clock begin again, as after a power cut
+  void restart();         // sequence number and clock start anew, as after a power cut
   void silent(bool on) { silent_ = on; }
   SimulatedFaults& faults() { return options_.faults; }
-  void raw(const std::string& bytes);  // sends these, whatever they are
+  void raw(const std::string& bytes);  // sends these bytes unchanged
 
-  /// Answers, and sends what is due by `now_s`.
+  /// Answers requests, and sends the messages that are due by `now_s`.
   void tick(double now_s);
   uint64_t sent() const { return sent_; }
 

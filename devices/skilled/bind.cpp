@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the acts of a plan look for in a scene, found once, or the reason why the plan cannot be carried out there.
+// Resolves the objects and signals that the acts of a plan refer to, once, or finds the reason why the plan cannot be run in a scene.
 #include "sentences.hpp"
 #include "skilled.hpp"
 

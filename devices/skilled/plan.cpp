@@ -19,7 +19,7 @@ using hand::Reader;
 
 struct Form {
   Verb verb;
-  std::set<std::string> keys;  // besides act, time, doc
+  std::set<std::string> keys;  // allowed keys besides act, time, doc
   std::set<std::string> needed;
 };
 
@@ -97,7 +97,7 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   if (act.s < 0 || act.s > 1) reader.fail(where + "/s", say::kPlaceOnNeedle());
 }
 
-// of a signal or of the needle at a mark, and never of both
+// awaits either a signal or the needle at a mark, never both
 void check_await(const Reader& reader, const Json& value, const std::string& where) {
   const auto all = [&](std::initializer_list<const char*> keys) {
     return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return value.contains(key); });
@@ -115,7 +115,7 @@ bool flag(const Reader& reader, const Json& value, const char* key, const std::s
   return value[key].get<bool>();
 }
 
-// what it feels is said as a whole, or not at all
+// the keys of the felt signal are given all together, or none of them
 void read_wind(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   int given = 0;
   for (const char* key : {"of", "signal", "more", "less", "by"}) given += value.contains(key);
@@ -125,27 +125,27 @@ void read_wind(const Reader& reader, const Json& value, const std::string& where
   act.follows = flag(reader, value, "follows", where);
 }
 
-// always, or for as long as a signal says so
+// unconditional, or while a signal is within limits
 void check_again(const Reader& reader, const Json& value, const std::string& where) {
   const bool asks = value.contains("of") && value.contains("signal") && (value.contains("more") || value.contains("less"));
   const bool any = value.contains("of") || value.contains("signal") || value.contains("more") || value.contains("less");
   if (any && !asks) reader.fail(where, say::kGoesOn());
 }
 
-// marks among which it chooses
+// marks to choose from
 void read_among(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   if (!value.is_array() || value.empty()) reader.fail(where, say::kMarksNeeded());
   for (const Json& one : value) act.among.push_back(word(reader, one, where));
 }
 
-// by a way, or to a place
+// by a displacement, or to a place
 void read_way(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.to_place = value.contains("at");
   if (act.to_place == value.contains("by")) reader.fail(where, say::kWayOrPlace());
   if (!act.to_place) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
 }
 
-// at the end of a move it is turned so, or as it was but for a roll
+// a move ends with a given attitude, or with the former one and a roll
 void read_turn(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.turns_to = value.contains("axis") || value.contains("closing");
   if (!act.turns_to) return;
@@ -153,7 +153,7 @@ void read_turn(const Reader& reader, const Json& value, const std::string& where
   act.attitude = hand::read_attitude(reader, value, where);
 }
 
-// from a side, or as the jaws are turned already
+// from a side, or with the present attitude of the jaws
 void read_reach(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.keep = flag(reader, value, "keep", where);
   if (act.keep == value.contains("from")) reader.fail(where, say::kFromOrKeep());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this bundle tells of its plan and its wrist; those of numbers and files are in hand/sentences.hpp. Tests name them, and never repeat their words.
+// Messages of this bundle about its plan and its wrist; those about numbers and files are in hand/sentences.hpp. Tests refer to names only.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -46,7 +46,7 @@ inline constexpr auto kNoPoint = R"({} looks for the point "{}", which this less
 inline constexpr auto kWindsAbout = " winds about "_sentence;
 inline constexpr auto kJudges = " judges "_sentence;
 inline constexpr auto kAimsInto = " aims into "_sentence;
-inline constexpr auto kNotThere = R"({}{}"{}", which is not there)"_sentence;  // act, what it does, to what
+inline constexpr auto kNotThere = R"({}{}"{}", which is not there)"_sentence;  // act, relation, object
 inline constexpr auto kNoTips = R"({}{}"{}", which has no tips)"_sentence;
 inline constexpr auto kNotPierced = R"({}: "{}" cannot be pierced)"_sentence;
 inline constexpr auto kNotTold = R"({} waits for "{}" of "{}", which nobody tells here)"_sentence;

@@ -15,9 +15,9 @@ using toolkit::vec;
 
 namespace {
 
-constexpr double kAside = 0.2;  // of the needle's length: how far apart the two places are that tell its arc
+constexpr double kAside = 0.2;  // of the needle's length: distance between the two places from which its arc is computed
 
-/// Share of the way and its rate on the path of least jerk.
+/// Share of the path at the time share x on the minimum-jerk path.
 double least_jerk(double x) { return x * x * x * (10 + x * (-15 + 6 * x)); }
 
 Pose between(const Pose& a, const Pose& b, double u) {
@@ -67,8 +67,8 @@ void Skilled::build_wrist(DeviceBuilder& builder) {
                   .range = {side(p.rotation), side(p.flexion), side(p.deviation)}});
 }
 
-/// Its arc from two places on it. A hand that reaches looks beside its jaws; else it looks at the point, and not at what a bent
-/// needle would be if it went on as it does between the jaws.
+/// Computes the needle's arc from two places on it. A hand that reaches observes the needle beside its jaws; else it observes the point,
+/// as the arc at the jaws would be wrong there for a bent needle.
 void Skilled::look_at_needle(const View& scene) {
   const Step needle = scene.object(needle_);
   seen_.wire_good = false;
@@ -86,11 +86,11 @@ void Skilled::look_at_needle(const View& scene) {
   }
 }
 
-/// How far aside of where it went in the needle goes in now.
+/// Computes how far the needle's crossing has moved from its place of entry.
 void Skilled::look_at_hole(const View& scene) {
   seen_.aside_W.setZero();
   if (!hole_.valid()) return;
-  // a needle whose blunt end is in passes there no more
+  // a needle whose blunt end is inside no longer crosses there
   const double s = scene.signal(hole_.s);
   if (!(s > 0 && s < 1)) return;
   for (int i = 0; i < 3; ++i) seen_.aside_W[i] = scene.signal(hole_.at[i]) - scene.signal(hole_.entry[i]);
@@ -98,7 +98,7 @@ void Skilled::look_at_hole(const View& scene) {
 
 void Skilled::look(const Sight& sight) {
   const View scene = sight.view();
-  // within an act nobody looks at the needle but who reaches for it
+  // during an act the needle is observed only by a hand that reaches for it or waits for it
   const bool under_way = act_ < plan_.acts.size() && !fresh_;
   const bool follows = under_way && (plan_.acts[act_].verb == Verb::kReach || plan_.acts[act_].verb == Verb::kAwait);
   if (!under_way || follows) look_at_needle(scene);
@@ -138,7 +138,7 @@ void Skilled::restart() {
   drawn_ = true;
 }
 
-/// Box and Muller; 1 - random() is never 0.
+/// Normally distributed number by Box and Muller; 1 - random() is never 0.
 double Skilled::normal() {
   const double r = std::sqrt(-2 * std::log(1 - random()));
   return r * std::cos(2 * std::numbers::pi * random());
@@ -149,7 +149,7 @@ void Skilled::begin_act(double time_s) {
   from_ = goal_ = now_;
   from_closure_ = closure_;
   act_began_s_ = time_s;
-  // what a wrist was asked for stays so while the tool has the attitude that it gave
+  // the attitude asked of the wrist is kept while the tool has the one that the wrist gave for it
   constexpr double kSame = 1e-6;  // rad
   asked_ = toolkit::exp_rotation(turn_W_) * asked_;
   if (has_wrist() && wrist_.given(asked_).angularDistance(now_.q) > kSame) asked_ = now_.q;
@@ -158,7 +158,7 @@ void Skilled::begin_act(double time_s) {
   fresh_ = true;
 }
 
-/// Tips past or before the place of the thread, along the jaws as they are.
+/// Place of the thread to reach for, for tips past or before it along the present direction of the jaws.
 void Skilled::look_at_strand(const View& scene, const Act& act) {
   const Step thread = scene.object(needle_);
   seen_.strand_good = false;
@@ -169,19 +169,19 @@ void Skilled::look_at_strand(const View& scene, const Act& act) {
   seen_.strand_W = vec(place->p_W), seen_.strand_good = true;
 }
 
-/// The jaws square around the wire: their axis along the normal of its plane, closing along its radius.
+/// Pose with the jaws perpendicular around the wire: their axis along the normal of its plane, closing along its radius.
 Pose Skilled::reach_goal(const Act& act) const {
   const Place p = seen_.wire.place(act.s + missed_m_ / seen_.wire.at.length);
   const Vec3 x = p.normal_W.dot(act.from) > 0 ? Vec3(-p.normal_W) : p.normal_W;
   Vec3 z = x.cross(p.tangent_W);
-  // whichever jaw is nearer to where it is now
+  // the assignment of the two jaws that needs the smaller turn
   if (z.dot(from_.q * Vec3::UnitZ()) < 0) z = -z;
   const Quat lean = toolkit::exp_rotation(act.tilt * p.tangent_W);
   const Mat3 R = frame(lean * x, lean * z);
   return {p.p_W + (act.past - act.back) * R.col(0), Quat(R).normalized()};
 }
 
-/// How the needle that it holds turns for its point to lead in, the normal of its plane being `across`, but for its leans.
+/// Rotation of the held needle that directs its point along `into`, the normal of its plane along `across`, plus the lean errors.
 Quat Skilled::turned_to(const Vec3& into, const Vec3& across) const {
   const Vec3 forward = -seen_.wire.place(0).tangent_W;
   const Mat3 R = frame(into, across) * frame(forward, seen_.wire.axis_W).transpose();
@@ -190,7 +190,7 @@ Quat Skilled::turned_to(const Vec3& into, const Vec3& across) const {
   return toolkit::exp_rotation(params_.side_lean * across.cross(into)) * leaning;
 }
 
-/// The normal of the needle's plane: to whichever side is the smaller turn, or to where a wrist gets with less strain.
+/// The normal of the needle's plane: on the side of the smaller turn, or with less strain of the wrist.
 Vec3 Skilled::side(const Act& act, const Vec3& into) const {
   const Vec3 flat = act.across - act.across.dot(into) * into;
   Vec3 across = flat.normalized();
@@ -200,8 +200,8 @@ Vec3 Skilled::side(const Act& act, const Vec3& into) const {
   return strain(-across) < strain(across) ? Vec3(-across) : across;
 }
 
-/// The tool where the needle it holds has its point at the target, leading in; then back along the arc by the hover. A wrist that does not
-/// turn so far leans about the point.
+/// Tool pose in which the held needle has its point at the target, directed along `into`, turned back along the arc by the hover. A wrist
+/// that cannot turn so far tilts the needle about its point.
 Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) {
   const Wire& wire = seen_.wire;
   const Place point = wire.place(0);
@@ -221,7 +221,7 @@ Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) {
   return goal;
 }
 
-/// The needle it holds, or its own jaws, held up and pointing to the mark.
+/// The held needle, or the own jaws, held up and pointing to the mark.
 Pose Skilled::show_goal(const Act& act) {
   const Vec3 way = (seen_.mark_W - act.at).normalized();
   if (!act.jaws) return lead(act, act.at, way);
@@ -229,7 +229,7 @@ Pose Skilled::show_goal(const Act& act) {
   return {act.at, Quat(frame(way, closing.normalized())).normalized()};
 }
 
-/// Whether what the act answers to has not come yet.
+/// True while the event to which the act reacts has not happened.
 bool Skilled::waits(const Act& act) const {
   constexpr double kSame = 1e-9;  // m
   if (act.verb == Verb::kChoose) return (seen_.mark_W - shown_W_).norm() < kSame;
@@ -238,13 +238,13 @@ bool Skilled::waits(const Act& act) const {
   return act.verb == Verb::kAnswer && (seen_.other_W - seen_.mark_W).norm() < kSame;
 }
 
-/// Whether what is awaited is so now.
+/// True while the awaited condition holds.
 bool Skilled::has_come(const Act& act) const {
   if (!act.signal.empty()) return seen_.signal > act.more && seen_.signal < act.less;
   return seen_.wire_good && (seen_.wire.place(act.s).p_W - seen_.mark_W).norm() < act.near;
 }
 
-/// The mark on the side to which it seems to lean.
+/// The mark on the side to which the object appears to lean.
 Vec3 Skilled::answer() {
   const Vec3 to_other = (seen_.other_W - seen_.mark_W).normalized();
   const double lean = std::asin(std::clamp(seen_.up_W.dot(to_other), -1.0, 1.0));
@@ -252,7 +252,7 @@ Vec3 Skilled::answer() {
   return seen > 0 ? seen_.other_W : seen_.mark_W;
 }
 
-/// The mark that the signal counts, or any of them.
+/// The mark whose number is the signal, or a random one.
 Vec3 Skilled::choose() {
   const double n = static_cast<double>(plan_.acts[act_].among.size());
   const double which = random() < params_.guesses ? 1 + std::floor(n * random()) : seen_.signal;
@@ -266,7 +266,7 @@ void Skilled::set_goal(const Act& act) {
       if (fresh_) missed_m_ = params_.spot_error * normal();
       if (act.keep && seen_.strand_good) goal_.p = seen_.strand_W + (act.past - act.back) * (from_.q * Vec3::UnitX());
       if (!act.keep && seen_.wire_good) goal_ = reach_goal(act);
-      return;  // and again in every step: it may swing
+      return;  // set again in every step: the object may move
     case Verb::kBack:
       goal_.p = from_.p - act.by * (from_.q * Vec3::UnitX());
       break;
@@ -304,10 +304,10 @@ void Skilled::set_goal(const Act& act) {
       if (!seen_.wire_good) break;
       const Vec3 out = (wire.place(0).p_W - wire.centre_W).normalized();
       turn_centre_W_ = wire.centre_W - params_.pivot_error * out;
-      turn_W_ = -act.angle * wire.axis_W;  // the axis leads to the swage, the point goes the other way
-      // about a lifted centre the point would lean: the lift goes while the point turns by as much, so that the other end of half a
-      // circle stays as high as it is
-      const double arc = std::abs(act.angle) / wire.curvature;  // m, way of the point
+      turn_W_ = -act.angle * wire.axis_W;  // the axis is for turns towards the swage, the point moves the other way
+      // about a lifted centre the point would enter at an angle: the lift is reduced by the path length of the point, so that the other end
+      // of half a circle stays at its height
+      const double arc = std::abs(act.angle) / wire.curvature;  // m, path length of the point
       lowered_ = arc > 0 ? std::min(1.0, lift_W_.norm() / arc) : 0;
       break;
     }
@@ -326,8 +326,8 @@ void Skilled::set_goal(const Act& act) {
   }
 }
 
-/// A share of the way of a drive: along the arc, and down from where the aim was lifted. The arm takes the tool where it is to be, but the
-/// wrist may not turn it so far.
+/// Pose after a share of a drive: along the arc, and down by the lift of the aim. The arm brings the tool to its place, but the
+/// wrist may be unable to turn it so far.
 Pose Skilled::driven(double u) const {
   Pose X = turned(from_, turn_centre_W_, u * turn_W_);
   if (has_wrist()) {
@@ -368,7 +368,7 @@ void Skilled::exchange(const swage_command& command, swage_sample& sample) {
     if ((fresh_ && waits(act)) || (act.verb == Verb::kAwait && !has_come(act))) act_began_s_ = t;
     const double share = std::min(1.0, (t - act_began_s_) / time);
     if (!fresh_ || !waits(act)) follow_act(act, share, 1 / time, dt);
-    // closing to a force ends with the force, or with closed jaws
+    // closing to a force ends at that force, or with closed jaws
     const bool closing = act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force && closure_ < 1;
     if (share >= 1 && !closing) {
       act_ = act.verb == Verb::kAgain && has_come(act) ? act.from_act : act_ + 1;

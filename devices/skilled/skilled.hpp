@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.skilled: a hand with eyes that carries out a plan on the scene as it is. See skilled.md.
+// swage.device.skilled: a hand with eyes that carries out a plan in the present scene. See skilled.md.
 #pragma once
 
 #include <swage/sight.hpp>
@@ -34,7 +34,7 @@ struct SkilledParams {
   double angle_bias = 0;           // rad
   double angle_noise = 0;          // rad
   double guesses = 0;              // 1
-  double steady = 0;               // s; 0: it does not
+  double steady = 0;               // s, time in which a drive corrects a needle that has moved from its place of entry; 0: no correction
   WhoseWrist wrist = WhoseWrist::kNone;
   std::array<double, 3> forearm = {-0.7, 0.7, 0};
   double swing = 60 * kDegree;  // rad
@@ -142,28 +142,28 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   void exchange(const swage_command& command, swage_sample& sample) override;
 
  private:
-  /// What an act looks for, by index.
+  /// Objects, marks and signals of an act, by index.
   struct Seeks {
     uint32_t mark = kNone, other = kNone, tissue = kNone, thing = kNone;
     std::vector<uint32_t> among;
     Peer tissue_peer, thing_peer;
     Signal signal;
   };
-  /// What is seen in this step.
+  /// Observed values of this step.
   struct Seen {
     Wire wire;
     bool wire_good = false;
-    Vec3 strand_W = Vec3::Zero();  // m, place of the thread that is reached for
+    Vec3 strand_W = Vec3::Zero();  // m, place of the thread that the hand reaches for
     bool strand_good = false;
     double force = 0;              // N
-    double signal = 0;             // that is awaited, SI
-    Vec3 aside_W = Vec3::Zero();   // m, from where the needle went in to where it goes in now
-    Vec3 mark_W = Vec3::Zero();    // m, of the act under way
+    double signal = 0;             // awaited signal, SI
+    Vec3 aside_W = Vec3::Zero();   // m, from the place of entry of the needle to its present crossing
+    Vec3 mark_W = Vec3::Zero();    // m, mark of the act in progress
     Vec3 other_W = Vec3::Zero();   // m
-    std::vector<Vec3> among_W;     // m, of a choice under way
-    Vec3 up_W = Vec3::UnitZ();     // unit, of what is to be judged: from its point or tips to its other end
+    std::vector<Vec3> among_W;     // m, marks of a choice in progress
+    Vec3 up_W = Vec3::UnitZ();     // unit, of the object to be judged: from its point or tips to its other end
     Vec3 into_W = -Vec3::UnitZ();  // unit
-    Vec3 tip_W = Vec3::Zero(), axis_W = Vec3::UnitX();  // m; unit, from hinge to tips: of the other gripper
+    Vec3 tip_W = Vec3::Zero(), axis_W = Vec3::UnitX();  // m, tips of the other gripper; unit, its direction from hinge to tips
   };
 
   void look_at_needle(const View& scene);
@@ -201,32 +201,32 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   hand::Tremor tremor_;
   uint32_t gripper_ = kNone, needle_ = kNone;
   Peer needle_peer_;
-  StrandPeer strand_;  // the needle, where it is a thread
+  StrandPeer strand_;  // the needle object, where it is a thread
   Signal force_;
   struct Hole {
     Signal s, entry[3],
-        at[3];  // of a coupling that pierces: where the needle crosses the surface, and where it went in
+        at[3];  // of a coupling that pierces: present crossing of the needle with the surface, and place of entry
     bool valid() const { return s.valid(); }
   } hole_;
 
   Seen seen_;
   size_t act_ = 0;
   double last_s_ = -1, act_began_s_ = 0;  // s, simulated
-  bool drawn_ = false, fresh_ = true;     // fresh: the act under way has not set its goal yet
+  bool drawn_ = false, fresh_ = true;     // fresh: the act in progress has not set its goal yet
   Pose from_, goal_, now_;                // X_WT
   Wrist wrist_;
-  Quat asked_ = Quat::Identity();  // q_WT that a wrist was asked for where the act under way began
+  Quat asked_ = Quat::Identity();  // q_WT that the wrist was asked for when the act in progress began
   double from_closure_ = 0, closure_ = 0;
   Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
-  Vec3 lift_W_ = Vec3::Zero();     // m, by which the aim just done is straight above its mark
-  double lowered_ = 0;             // share of a drive's way after which it is not any more
-  Vec3 brought_W_ = Vec3::Zero();  // m, by what this drive has brought the needle back
-  Vec3 about_W_ = Vec3::Zero(), about_axis_W_ = Vec3::UnitX();  // m, unit: what this winding goes round
+  Vec3 lift_W_ = Vec3::Zero();     // m, height of the last aim above its mark
+  double lowered_ = 0;             // share of a drive's path after which the lift is zero
+  Vec3 brought_W_ = Vec3::Zero();  // m, by how much this drive has brought the needle back
+  Vec3 about_W_ = Vec3::Zero(), about_axis_W_ = Vec3::UnitX();  // m, unit: axis of this winding
   double radius_ = 0;              // m, of this winding
-  double drawn_share_ = 0;         // of the way of this draw
+  double drawn_share_ = 0;         // share of the path of this draw
   Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
-  double missed_m_ = 0;            // along the needle, of this reach
-  Vec3 missed_W_ = Vec3::Zero();   // m, of this aim
+  double missed_m_ = 0;            // m, error along the needle, of this reach
+  Vec3 missed_W_ = Vec3::Zero();   // m, error of this aim
 };
 
 }  // namespace swage::skilled

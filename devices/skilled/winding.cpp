@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The acts "wind", the tips about another gripper with the thread kept drawn, and "draw", along a way until the thread is taut.
+// The acts "wind", tips around another gripper with the thread kept taut, and "draw", along a path until the thread is taut.
 #include <algorithm>
 #include <numbers>
 
@@ -8,7 +8,7 @@
 
 namespace swage::skilled {
 
-/// A share of the way of a winding: about the other gripper's line, at the radius that it has now.
+/// Pose after a share of a winding: about the other gripper's axis, at its present radius.
 Pose Skilled::wound(const Act& act, double u) const {
   const Vec3 d = from_.p - about_W_, along = d.dot(about_axis_W_) * about_axis_W_, out = (d - along).normalized();
   const Quat q = toolkit::exp_rotation(u * act.turns * 2 * std::numbers::pi * about_axis_W_);
@@ -17,14 +17,14 @@ Pose Skilled::wound(const Act& act, double u) const {
   return {about_W_ + gone + along + u * act.along * about_axis_W_ + radius_ * (q * out), ((act.rolls ? Quat(q * from_.q) : from_.q) * own).normalized()};
 }
 
-/// Draws the thread while it feels too little of it and gives way while it feels too much; never through the other gripper.
+/// Moves outwards while the felt tension is too small and inwards while it is too large; never into the other gripper.
 void Skilled::feel(const Act& act, double dt) {
   constexpr double kNearest = 0.5e-3;  // m, half the width of a pair of jaws
   const double way = seen_.signal < act.more ? 1 : seen_.signal > act.less ? -1 : 0;
   radius_ = std::max(kNearest, radius_ + way * act.by * dt);
 }
 
-/// Goes on by `share` of its way, slower from half of the signal on, and back above it by half that pace at most.
+/// Advances by `share` of its path, more slowly from half of the signal limit on, and back above the limit at no more than half speed.
 void Skilled::draw(const Act& act, double share) {
   const double pace = std::clamp(2 * (1 - seen_.signal / act.less), -0.5, 1.0);
   drawn_share_ = std::clamp(drawn_share_ + pace * share, 0.0, 1.0);

@@ -15,9 +15,9 @@ using toolkit::Vec3;
 
 namespace {
 
-constexpr double kRetry = 0.25;  // s between two tries to reach the daemon again
-// s without an event after which the cap counts as let go. A cap that is held reports every 8 to 16 ms, as it is never quite still; a
-// mouse that was pulled out while it was pushed would lead the tool away for ever
+constexpr double kRetry = 0.25;  // s between two attempts to reconnect to the daemon
+// s without an event after which the cap counts as released. A held cap reports every 8 to 16 ms, as it is never quite still; a mouse
+// unplugged while its cap is deflected would otherwise move the tool for ever
 constexpr double kLetGo = 0.3;
 
 double now_s() {
@@ -44,7 +44,7 @@ void Spacemouse::open() {
   if (const std::string why = socket_.open(params().socket); !why.empty()) refuse(why);
 }
 
-// spacenavd has x to the right, y up and z away from the user; turns in the same sense
+// spacenavd has x to the right, y up and z away from the user; rotations likewise
 void Spacemouse::hear(double now) {
   SpnavEvent e;
   while (socket_.next(e)) {

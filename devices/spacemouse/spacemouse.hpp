@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.spacemouse: a 3D mouse as a hand: six axes of speed, two buttons for the jaws. See spacemouse.md.
+// swage.device.spacemouse: a 3D mouse as a hand: six velocity axes, two buttons for the jaws. See spacemouse.md.
 #pragma once
 
 #include <swage/device.hpp>

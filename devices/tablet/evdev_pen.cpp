@@ -27,7 +27,7 @@ AxisRange range(int file, int code) {
   return {info.minimum, info.maximum, info.resolution};
 }
 
-// false when it is no pen
+// false when the device is not a pen
 bool ask(int file, OpenPen& out) {
   unsigned char keys[KEY_MAX / 8 + 1]{}, axes[ABS_MAX / 8 + 1]{};
   if (ioctl(file, EVIOCGBIT(EV_KEY, sizeof keys), keys) < 0 || ioctl(file, EVIOCGBIT(EV_ABS, sizeof axes), axes) < 0) return false;
@@ -41,7 +41,7 @@ bool ask(int file, OpenPen& out) {
   return out.ranges.x.present() && out.ranges.y.present();
 }
 
-// 1 it is a pen, 0 it is something else, -1 it may not be opened (errno)
+// 1: a pen, 0: another device, -1: may not be opened (errno)
 int try_open(const std::string& path, OpenPen& out) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a pen's events come from: a node below /dev/input. Never waits. [main or io]
+// Source of a pen's events: a node below /dev/input. Never blocks. [main or io]
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace swage::tablet {
 
-/// A pen's node, opened.
+/// An opened pen device.
 struct OpenPen {
-  int file = -1;  // to be closed
+  int file = -1;  // owned by the caller, who closes it
   std::string name;
   PenRanges ranges;
 };
 
-/// The pen at `path`, or, if it is empty, the first that there is, or that is called `like`. "" or why not, with what to do.
+/// Opens the pen at `path`, or, if it is empty, the first one, or the first with the name `like`. "" or the reason, with the remedy.
 std::string open_pen(const std::string& path, const std::string& like, OpenPen& out);
 
 }  // namespace swage::tablet

@@ -17,13 +17,13 @@ double share(const AxisRange& r, int32_t value) {
   return std::clamp((static_cast<double>(value) - r.minimum) / range, 0.0, 1.0);
 }
 
-// m from the middle
+// m from the middle of the surface
 double place(const AxisRange& r, int32_t value, double size) {
   if (r.resolution > 0) size = 1e-3 * (static_cast<double>(r.maximum) - r.minimum) / r.resolution;
   return (share(r, value) - 0.5) * size;
 }
 
-// rad from upright; degrees where the kernel says no resolution, as of 64 steps that most pens have
+// rad from upright; one unit is a degree where the kernel gives no resolution, as most pens have 64 steps
 double tilt(const AxisRange& r, int32_t value) {
   if (!r.present()) return 0;
   const double per_unit = r.resolution > 0 ? 1.0 / r.resolution : std::numbers::pi / 180;
@@ -74,7 +74,7 @@ void PenDecoder::event(uint16_t type, uint16_t code, int32_t value) {
     if (code == BTN_STYLUS) button(1);
     if (code == BTN_STYLUS2) button(2);
   } else if (type == EV_ABS) {
-    // the kernel's y goes down, and towards the user
+    // the kernel's y points down, towards the user
     if (code == ABS_X) next_.x = place(ranges_.x, value, width_);
     if (code == ABS_Y) next_.y = -place(ranges_.y, value, height_);
     if (code == ABS_PRESSURE) next_.pressure = share(ranges_.pressure, value);
@@ -84,8 +84,8 @@ void PenDecoder::event(uint16_t type, uint16_t code, int32_t value) {
   }
 }
 
-// After a loss the first report may be the end of one: the next one counts. Axes that did not change meanwhile are not told again; those
-// that did are told with the next move.
+// After a loss the first report may be incomplete: the next one counts. Axes that did not change meanwhile are not sent again; those
+// that did change are sent with the next motion.
 bool PenDecoder::report(double time_s) {
   if (dropping_) {
     dropping_ = false;

@@ -17,10 +17,10 @@ using toolkit::Vec3;
 
 namespace {
 
-// s for which a pen that was away counts as lost, however soon it is back: only a hand that was lost for more than 0.1 s is met where its
-// tool stands, and a pen that is put down elsewhere must not draw the tool there
+// s for which a pen that was away counts as lost, even if it is back sooner: the host matches the offset only of a hand that was lost for
+// more than 0.1 s, and a pen that is put down elsewhere must not move the tool there
 constexpr double kAway = 0.15;
-constexpr double kRetry = 0.25;  // s between two looks for a tablet that was pulled out
+constexpr double kRetry = 0.25;  // s between two searches for a tablet that was unplugged
 
 double now_s() {
   timespec t;
@@ -45,7 +45,7 @@ void Tablet::close() {
   pen_.file = -1;
 }
 
-// false when the tablet is gone
+// false when the tablet was unplugged
 bool Tablet::hear() {
   char bytes[1024];
   for (;;) {
@@ -58,7 +58,7 @@ bool Tablet::hear() {
   }
 }
 
-// The surface is the x-y plane of the device frame; an upright pen points along -z, its tips are the tool's.
+// The surface is the x-y plane of the device frame; an upright pen points along -z, and its tip is the tool's tips.
 void Tablet::follow(double dt) {
   const P& p = params();
   const PenState& pen = decoder_.state();
@@ -73,7 +73,7 @@ void Tablet::follow(double dt) {
     z -= p.depth * press;
     closure = (pen.buttons & 1) != 0 ? 1 : 0;
   }
-  // a pen that leans to +x has turned about +y, one that leans to +y about -x
+  // a pen tilted towards +x is rotated about +y, one tilted towards +y about -x
   const Vec3 place(pen.x, pen.y, z), tilt(-pen.tilt_y, pen.tilt_x, 0);
   const double share = was_near_ && p.smoothing > 0 ? 1 - std::exp(-dt / p.smoothing) : 1;
   p_ += share * (place - p_);
@@ -105,7 +105,7 @@ void Tablet::exchange(const swage_command&, swage_sample& sample) {
   }
   follow(dt);
   sample.pose.p = toolkit::raw(p_);
-  // upright, the tool's x (hinge to tips) points down and its closing direction to the right
+  // for an upright pen the tool's x (hinge to tips) points down and its closing direction to the right
   static const toolkit::Quat upright = toolkit::exp_rotation({0, 0.5 * std::numbers::pi, 0});
   sample.pose.q = toolkit::raw(toolkit::Quat(toolkit::exp_rotation(tilt_) * toolkit::exp_rotation({0, 0, params().roll}) * upright));
   sample.closure = closure_;

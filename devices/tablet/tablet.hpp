@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.device.tablet: a pen on a tablet as a hand: places to some micrometres, the pen's own tilt, pressure as jaws or as depth. See tablet.md.
+// swage.device.tablet: a pen on a tablet as a hand: position to some micrometres, the pen's tilt, pressure as jaws or depth. See tablet.md.
 #pragma once
 
 #include <swage/device.hpp>
@@ -59,7 +59,7 @@ class Tablet : public Device<TabletParams> {
 
  protected:
   using Opener = std::function<std::string(const std::string& path, const std::string& like, OpenPen& out)>;
-  /// Where pens come from; a test has some of its own.
+  /// Sets the source of pens; tests provide their own.
   void set_opener(Opener opener) { opener_ = std::move(opener); }
 
  private:
@@ -71,8 +71,8 @@ class Tablet : public Device<TabletParams> {
   std::string found_;
   PenDecoder decoder_;
   toolkit::Vec3 p_ = toolkit::Vec3::Zero(), tilt_ = toolkit::Vec3::Zero();  // m; rotation vector
-  double height_ = 0, closure_ = 0, last_s_ = 0, tried_s_ = 0;                // m by the buttons
-  double left_s_ = 0;  // when the pen was last away
+  double height_ = 0, closure_ = 0, last_s_ = 0, tried_s_ = 0;                // m, height set by the buttons
+  double left_s_ = 0;  // time at which the pen was last away
   bool was_near_ = false;
 };
 

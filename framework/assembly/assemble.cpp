@@ -60,7 +60,7 @@ std::unique_ptr<Rig> Assembler::run() {
     return std::none_of(problems_.begin() + static_cast<long>(before), problems_.end(),
                         [](const base::Problem& p) { return p.severity == Severity::kError; });
   };
-  // a scene that is not whole would only give the lesson things to complain about
+  // an incomplete scene would only cause further errors from the lesson
   if (file_.faulty || !good()) return nullptr;
   bind_lesson();
   bind_sights();
@@ -80,7 +80,7 @@ void Assembler::resolve_mode() {
   hand_ = mode == "demo" && overrides_.device.empty() ? "expert" : overrides_.device;
 }
 
-// An attempt in which every hand is scripted is nobody's, and judged as a test.
+// An attempt with scripted hands only belongs to no person, and is judged as a test.
 void Assembler::settle_mode() {
   std::string& mode = rig_->card.mode;
   const bool scripted = std::all_of(rig_->devices.begin(), rig_->devices.end(), [](const host::DeviceSlot& slot) {
@@ -102,14 +102,14 @@ void Assembler::note(Severity severity, const std::string& pointer, const std::s
 
 void Assembler::take_reports(Instance& instance, const std::string& pointer) {
   for (base::Problem& p : instance.services->take_reports()) {
-    // the plugin knows itself by its name; the reader of the file by its place
+    // the plugin reports by its instance name; the reader of the file needs the place in the file
     if (p.where == instance.name) p.where = file_.where(pointer);
     problems_.push_back(std::move(p));
   }
 }
 
 const PluginInfo* Assembler::usable(const PluginUse& use, int32_t kind) {
-  if (use.plugin.empty()) return nullptr;  // told by the reader
+  if (use.plugin.empty()) return nullptr;  // reported by the reader
   used_.insert(use.plugin);
   const std::string pointer = use.pointer + "/plugin";
   const PluginInfo* plugin = catalogue_.find(use.plugin);
@@ -172,7 +172,7 @@ std::unique_ptr<Instance> Assembler::make(const PluginUse& use, int32_t kind, co
     return where_params.empty() ? file_.where(use.pointer + "/params" + below) : where_params + " #" + below;
   };
 
-  // values first: a plugin never sees one that is wrong
+  // values first: a plugin never gets an invalid one
   host::ParamValues values;
   host::ParamSource source{plugin->id, file_.folder(), plugin->bundle_dir, where, &overrides_.files};
   const bool good = host::check_params(use.params, plugin->params, source, values, problems_);
@@ -206,7 +206,7 @@ void Assembler::add_objects() {
   if (file_.objects.size() > snapshot::kMaxObjects)
     return error("/objects", say::kManyObjects(snapshot::kMaxObjects, file_.objects.size()));
   for (const LessonObject& use : file_.objects) {
-    // a slot for each, so that indices are those of the file
+    // a slot for each, so that indices agree with those of the file
     host::ObjectSlot& slot = rig_->objects.emplace_back();
     slot.X_WO = use.X_WO;
     const auto index = static_cast<uint32_t>(rig_->objects.size() - 1);
@@ -233,7 +233,7 @@ void Assembler::add_objects() {
       if (!slot.moves_itself())
         error(use.pointer, say::kNoSolver(body.name, slot.instance->plugin_id, SWAGE_EXT_SOLVER, SWAGE_EXT_SOLVER_2));
     }
-    // an object may have a level without mechanics of its own
+    // at some levels of a plugin its object is not flexible
     if (!moves_itself) slot.solver = nullptr, slot.solver_2 = nullptr;
   }
 }

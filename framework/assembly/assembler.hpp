@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts of assemble(), one after another. Each goes on after an error where it can, so that one run reports all of them.
+// The parts of assemble(), in order. Each continues after an error where possible, so that one run reports all errors.
 // [main]
 #pragma once
 
@@ -23,21 +23,21 @@ class Assembler {
   std::unique_ptr<host::Rig> run();
 
  private:
-  /// A plugin of the file that is there, of the right kind and version.
+  /// A plugin of the file that is installed, of the right kind and version.
   const host::PluginInfo* usable(const PluginUse& use, int32_t kind);
   void check_requirements();
 
-  /// Creates and configures. `where_params`: what problems of parameters say, "" for their places in the
+  /// Creates and configures an instance. `where_params`: Problem::where for parameters, "" for their places in the
   /// file.
   std::unique_ptr<host::Instance> make(const PluginUse& use, int32_t kind, const std::string& name,
                                        uint32_t object, const swage_pose& X_WO,
                                        const std::string& where_params,
                                        std::unique_ptr<host::Builder>& builder);
   void keep_files(const std::vector<host::GivenFile>& files);
-  /// A stream of random numbers in the saved state. None for a device: it draws outside of the state, may live on a thread of its own,
-  /// and a replay does without it.
+  /// Adds a stream of random numbers to the saved state. None for a device: it may run on its own thread, its numbers are not in the saved
+  /// state, and a replay does not use it.
   uint32_t add_random(int32_t kind);
-  /// An extension of the instance, whole; without it an error when it is needed.
+  /// An extension of the instance, complete; reports an error when it is needed and missing.
   template <class Table>
   const Table* table(host::Instance& instance, const char* id, const PluginUse& use, bool needed = true) {
     std::string sentence;
@@ -53,7 +53,7 @@ class Assembler {
   void add_devices();
   void add_lesson();
 
-  // devices.cpp: which of the alternatives
+  // devices.cpp: choice among the alternatives
   const DeviceChoice* choose(const LessonDevice& device, std::size_t index);
   void resolve_override();
   static void place_hand(const LessonDevice& use, host::DeviceSlot& slot);
@@ -80,8 +80,8 @@ class Assembler {
   base::Problems& problems_;
   std::unique_ptr<host::Rig> rig_;
   std::set<std::string> used_;  // plugin ids that the file names
-  std::string hand_;            // which device was asked for, "" for the first choice
-  // index of the override's own choice, and the device it goes to
+  std::string hand_;            // name of the chosen alternative, "" for the first choice
+  // the override's own choice, and the index of its device
   DeviceChoice substitute_;
   std::size_t substitute_for_ = ~std::size_t{0};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Who meets whom: traits, pairs, and what the lesson gets to see.
+// Couplings and their objects: traits, pairs, and the scene that the lesson gets.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -46,7 +46,7 @@ bool Assembler::offers(const LessonCoupling& use, const ObjectSlot& object, cons
   return all;
 }
 
-// those that detect make the pairs, in the order of the file; those that look share them
+// couplings that detect define the pairs, in the order of the file; couplings that only observe share them
 void Assembler::find_pairs() {
   const auto same_two = [](const host::CouplingSlot& slot, const contact::Pair& pair) {
     return std::minmax(slot.object_a, slot.object_b) == std::minmax(pair.object_a, pair.object_b);
@@ -73,7 +73,7 @@ void Assembler::find_pairs() {
           continue;
         }
         slot.pair = kNone;
-        // one that was refused has been told of
+        // a refused coupling has been reported
         if (one_was_refused(use)) continue;
         error(use.pointer, say::kNobodyFinds(use.plugin, use.a, use.b));
       } else if (found->object_a != slot.object_a) {
@@ -83,7 +83,7 @@ void Assembler::find_pairs() {
   }
 }
 
-// Contacts are found and solved in the order of their pairs: by the names of their objects, not as they stand in the file.
+// Contacts are found and solved in the order of their pairs: sorted by the names of their objects, independent of the file's order.
 void Assembler::sort_pairs() {
   const std::vector<contact::Pair> found = rig_->pairs;
   const auto names = [&](uint32_t pair) {
@@ -129,7 +129,7 @@ void Assembler::bind_couplings() {
 
 namespace {
 
-// what swage_lesson_binder calls
+// implementation of swage_lesson_binder
 struct Binding {
   host::Rig& rig;
   std::vector<std::string> errors;
@@ -145,7 +145,7 @@ struct Binding {
       return kNone;
     }
     judge::Script::Mark kept{*mark, std::string(mark->meaning.data, mark->meaning.size)};
-    // the text lives in `meaning`; the view would dangle as soon as the script is copied
+    // the text is stored in `meaning`; the view would dangle as soon as the script is copied
     kept.mark.meaning = {nullptr, 0};
     marks.push_back(std::move(kept));
     return static_cast<uint32_t>(marks.size() - 1);
@@ -201,7 +201,7 @@ void fill_bound(host::Rig& rig) {
 void Assembler::bind_lesson() {
   host::LessonSlot& slot = rig_->lesson;
   fill_bound(*rig_);
-  // nullptr: a scene without a lesson, as the validator steps it
+  // nullptr: a scene without a lesson, as in the validator
   if (slot.lesson == nullptr || slot.lesson->bind == nullptr) return;
   Binding binding{*rig_, {}};
   swage_lesson_binder raw{sizeof(swage_lesson_binder), 0, &binding, Binding::mark, Binding::error};
@@ -220,7 +220,7 @@ void Assembler::bind_lesson() {
   }
 }
 
-// hands that see look at the same scene as the lesson, and at its marks
+// devices with sight get the same scene as the lesson, and its marks
 void Assembler::bind_sights() {
   std::vector<swage_scene_mark> marks;
   for (const judge::Script::Mark& m : rig_->script.marks)
@@ -248,7 +248,7 @@ void Assembler::bind_sights() {
 
 namespace {
 
-// what is shown for the left hand: poses and places reflected, shapes with their bodies
+// mirrors the display for the left hand: poses and places reflected, shapes with their bodies
 void mirror(snapshot::SceneCard& card) {
   using toolkit::mirrored;
   for (swage_pose& X_WB : card.start) X_WB = mirrored(X_WB);
@@ -260,7 +260,7 @@ void mirror(snapshot::SceneCard& card) {
   }
 }
 
-/// The surface of a height field as it was declared.
+/// Adds the surface of a height field as declared.
 void add_triangles(const scene::HeightFieldInfo& info, snapshot::CardShape& shape) {
   const toolkit::HeightField field{info.nx, info.ny, info.dx, info.dy, info.height.data()};
   for (uint32_t k = 0; k < field.vertices(); ++k)
@@ -320,7 +320,7 @@ void Assembler::fill_card() {
       for (const toolkit::Convex::Face& f : convex.face) shape.face.push_back(f.vertex);
     }
     if (s.field != kNone) add_triangles(rig.world.field[s.field], shape);
-    // where a chain starts; the snapshot has its vertices after the particles, chain by chain
+    // start of the chain; the snapshot has its vertices after the particles, chain by chain
     if (s.kind == SWAGE_SHAPE_CHAIN) shape.vertex = rig.world.chain[s.chain].start;
     card.shapes.push_back(std::move(shape));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which device each hand uses, and what follows it.
+// The device of each hand, and the objects that follow it.
 #include <algorithm>
 
 #include "assembly/assembler.hpp"
@@ -31,7 +31,7 @@ void Assembler::resolve_override() {
       note(Severity::kNote, "", say::kNoDevices(wanted));
     return;
   }
-  // a choice of the file itself
+  // one of the file's own choices
   std::vector<std::string> names;
   for (std::size_t i = 0; i < file_.devices.size(); ++i) {
     for (const DeviceChoice& choice : file_.devices[i].choices) {
@@ -45,7 +45,7 @@ void Assembler::resolve_override() {
     if (!overrides_.device_params.empty()) substitute_.params = overrides_.device_params;
     return;
   }
-  // else any device that is installed, for the first hand
+  // else any installed device, for the first hand
   for (const PluginInfo* plugin : catalogue_.of_kind(SWAGE_KIND_DEVICE)) {
     names.push_back(last_word(plugin->id));
     if (plugin->id != wanted && last_word(plugin->id) != wanted) continue;
@@ -62,7 +62,7 @@ void Assembler::resolve_override() {
 
 const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t index) {
   if (index == substitute_for_) return &substitute_;
-  // further hands take part in the choice when they know the name
+  // further hands use the same choice where they have one of that name
   if (!hand_.empty()) {
     for (const DeviceChoice& choice : device.choices)
       if (matches(choice, hand_)) return &choice;
@@ -85,7 +85,7 @@ void Assembler::add_devices() {
     return error("/devices", say::kManyDevices(snapshot::kMaxDevices, file_.devices.size()));
   for (std::size_t i = 0; i < file_.devices.size(); ++i) {
     const LessonDevice& use = file_.devices[i];
-    // what the others name is used too, as far as "requires" is concerned
+    // for "requires" the plugins of the other choices count as used, too
     for (const DeviceChoice& choice : use.choices) used_.insert(choice.plugin);
     host::DeviceSlot& slot = rig_->devices.emplace_back();
     if (i < overrides_.recorded.size()) {
@@ -110,7 +110,7 @@ void Assembler::add_devices() {
 }
 
 void Assembler::place_hand(const LessonDevice& use, host::DeviceSlot& slot) {
-  // scripted hands and replays speak in world coordinates
+  // scripted hands and replays use world coordinates
   const bool world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
   const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
   slot.motion_scale = world ? 1 : use.motion_scale;

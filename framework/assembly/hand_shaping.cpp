@@ -24,7 +24,7 @@ bool force(const Json& json, double& out) {
   return host::parse_quantity(json.get<std::string>(), "N", "a force", out, error) && out >= 0 && out <= kMostForce;
 }
 
-// from (0, 0) on, both numbers never less than before and the first one always more
+// begins at (0, 0); the first column rises strictly, the second one never falls
 void read_table(ObjectReader& reader, const Teller& teller, host::Reaction& out) {
   reader.each("table", kMostPoints, [&](const Json& json, const std::string& pointer) {
     host::Reaction::Point p{};
@@ -71,7 +71,7 @@ void read_reaction(const Json& json, const std::string& pointer, const Teller& t
   reader.finish();
 }
 
-// The force guard bounds both once more (session/force_guard.hpp).
+// The force guard limits both again (session/force_guard.hpp).
 void read_hand_coupling(const Json& json, const std::string& pointer, const Teller& teller, host::HandCoupling& out) {
   ObjectReader reader(json, pointer, "\"coupling\"", teller);
   out.stiffness = reader.quantity("stiffness", "N/m", 0, 0, 1000);

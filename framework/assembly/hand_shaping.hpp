@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// "filters", "reaction" and "coupling" of a device in a lesson file. [main]
+// Reads "filters", "reaction" and "coupling" of a device in a lesson file. [main]
 #pragma once
 
 #include "assembly/lesson_file.hpp"

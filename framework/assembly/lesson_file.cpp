@@ -19,7 +19,7 @@ namespace swage::assembly {
 namespace {
 
 constexpr const char* kFormat = "swage-lesson/1";
-constexpr std::size_t kMostProblems = 200;  // told of one file; who mends those sees the next ones
+constexpr std::size_t kMostProblems = 200;  // of one file; further ones are reported after these are corrected
 constexpr std::size_t kMostUses = 128;   // objects, couplings or devices; lessons have up to twenty
 constexpr std::size_t kMostChoices = 32;  // alternatives of a device; lessons have up to five
 constexpr const char* kChannels[] = {"colour", "shape", "sound", "force"};  // bits SWAGE_CHANNEL_*
@@ -69,7 +69,7 @@ class LessonParser {
     return false;
   }
 
-  /// A medium, and quantities that differ from its own.
+  /// Reads a medium, and quantities that differ from its defaults.
   void read_environment(const Json& json, const std::string& pointer) {
     out_.environment_text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     ObjectReader reader(json, pointer, "the environment of a lesson", teller_);
@@ -134,7 +134,7 @@ class LessonParser {
     device.choices.emplace_back();
     read_use(reader, device.choices[0]);
     device.choices[0].as = reader.name("as", false);
-    // 1e-3 to 1e3: from a lever that enlarges to a robot under the strongest microscope
+    // 1e-3 to 1e3: from a lever that enlarges motion to a robot under the strongest microscope
     device.motion_scale = reader.quantity("motion_scale", "1", 1, 1e-3, 1e3);
     device.force_scale = reader.quantity("force_scale", "1", 0, 0, 1e3);
     device.X_WD0 = reader.pose("pose");
@@ -175,7 +175,7 @@ class LessonParser {
     coupling.name = reader.name("name", false);
     read_use(reader, coupling);
     if (const Json* between = reader.need("between")) {
-      // an empty name is no name: nothing else would find that the coupling lacks an object
+      // an empty name counts as missing: no later check would find that the coupling lacks an object
       const auto named = [](const Json& j) { return j.is_string() && !j.get_ref<const std::string&>().empty(); };
       const bool two = between->is_array() && between->size() == 2 && named((*between)[0]) &&
                        named((*between)[1]);
@@ -245,7 +245,7 @@ std::string LessonFile::folder() const {
 
 namespace {
 
-/// A file with a thousand faults is told as one that has more. What was an error stays one.
+/// Limits the problems of a file with a thousand faults, and adds one with the number of the others. An error stays an error.
 void keep_first(base::Problems& problems, std::size_t most) {
   if (problems.size() <= most) return;
   const base::Problems rest(problems.begin() + static_cast<long>(most), problems.end());
@@ -254,7 +254,7 @@ void keep_first(base::Problems& problems, std::size_t most) {
                       problems.back().where, say::kMore(rest.size())});
 }
 
-/// A file with double keys is read on: one list of everything that is wrong.
+/// Reads on in a file with duplicate keys, so that all faults are in one list.
 bool read_text(const LessonText& whole, bool good, const std::string& path, LessonFile& out,
                base::Problems& problems) {
   out = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A lesson file as read: format "swage-lesson/1", its structure checked, parameters still text. Threads:
+// A lesson file as read: format "swage-lesson/1", its structure checked, parameters still JSON text. Threads:
 // [main].
 #pragma once
 
@@ -27,7 +27,7 @@ struct PluginUse {
 };
 
 struct DeviceChoice : PluginUse {
-  std::string as;  // name to choose it by, "" for none
+  std::string as;  // name by which it can be chosen, "" for none
 };
 
 struct LessonDevice {
@@ -53,17 +53,17 @@ struct LessonCoupling : PluginUse {
   std::string a, b;  // names of objects
 };
 
-/// Practice shows cues, a test does not and counts, a demo is the expert's hand and is not kept.
+/// Practice shows cues; a test hides them and counts; a demo is played by the expert's hand and not recorded.
 inline constexpr const char* kModes[] = {"practice", "test", "demo"};
-/// What an attempt of a scripted hand is kept as, whatever it was asked for; judged as a test.
+/// Mode under which an attempt of a scripted hand is recorded, for any requested mode; judged as a test.
 inline constexpr const char* kHandMode = "hand";
 inline constexpr uint32_t kAllChannels = 15;
 
 struct LessonFile {
   std::string path;  // as given; "" for text that has no file
   std::string
-      beside;        // another file that relative FILE parameters lie beside: the one this is based on, or ""
-  std::string text;  // what is assembled: as read, byte for byte, unless something was set (lesson_text.hpp)
+      beside;        // another file to which FILE parameters are relative: the one this is based on, or ""
+  std::string text;  // the assembled text: as read, byte for byte, unless values were set (lesson_text.hpp)
   std::string id, title, summary;
   std::string goal;  // what the trainee learns
   uint64_t seed = 0;
@@ -73,28 +73,28 @@ struct LessonFile {
   swage_environment environment = kStillAir;
   std::string environment_text;  // the JSON object of "environment" as written, "" for none
   double max_time_s = 0;          // simulated; 0: no limit
-  bool tips_only = false;         // of instruments only the tips are drawn
+  bool tips_only = false;         // only the tips of instruments are drawn
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
-  std::string mode;  // one of kModes, "": as the run says, and else a test with cues
-  uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use while they are shown
+  std::string mode;  // one of kModes, "": the mode of the run, else a test with cues
+  uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use when they are shown
   std::vector<std::pair<std::string, std::string>> requirements;  // plugin id, version range
   std::vector<LessonDevice> devices;
   std::vector<LessonObject> objects;
   std::vector<LessonCoupling> couplings;
   PluginUse lesson;
-  Places places;        // where each value is written, in this file or in one that it is based on
-  bool faulty = false;  // something in it is an error; assemble() then only looks for more
+  Places places;        // place of each value, in this file or in one that it is based on
+  bool faulty = false;  // the file has an error; assemble() then only looks for further ones
 
   std::string where(const std::string& pointer) const { return places.where(pointer); }
-  /// Relative FILE parameters start there.
+  /// Folder to which FILE parameters are relative.
   std::string folder() const;
 };
 
-/// Reads and checks the structure: syntax, unknown and double keys, types, units, names that refer to each
-/// other. Reports everything that is wrong. False when something is an error; `out` then holds what could be
-/// read.
+/// Reads and checks the structure: syntax, unknown and duplicate keys, types, units, names that refer to each
+/// other. Reports all faults. False when one is an error; `out` then has the readable
+/// part.
 bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems);
-/// The same with other values: settings.hpp.
+/// The same with settings applied: settings.hpp.
 bool read_lesson_file(const std::string& path, std::span<const Setting> settings, LessonFile& out,
                       base::Problems& problems);
 bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,

@@ -20,18 +20,18 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxBytes = std::size_t{4}
-                                  << 20;  // a lesson has some kilobytes; a mesh is a file of its own
+                                  << 20;  // a lesson has some kilobytes; a mesh is a separate file
 constexpr uint32_t kMaxNesting = 32;
 constexpr std::size_t kMostText = 10'000;  // bytes of one text: a page of summary has some thousand
-constexpr std::size_t kMostBases = 8;  // more is a tangle that nobody follows
+constexpr std::size_t kMostBases = 8;  // a longer chain could not be followed by a person
 
-// What a lesson that is based on another says for itself; all else it has from there.
+// Keys that a lesson based on another has itself; all else is taken from the base.
 constexpr const char* kOwn[] = {"format",  "based_on", "set",  "id",           "title",
                                 "summary", "goal",     "seed", "rate_hz",      "gravity",
                                 "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only",
                                 "environment"};
 
-// where a parser stopped, as line and column
+// position of a parser error, as line and column
 std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {
   const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
   const auto line =
@@ -40,7 +40,7 @@ std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {
   return {line, static_cast<uint32_t>(start == std::string::npos ? end + 1 : end - start)};
 }
 
-/// One file on the way to the whole text.
+/// One file of the "based_on" chain.
 struct Link {
   std::string path, text;
   Json json;
@@ -51,7 +51,7 @@ struct Link {
   bool based() const { return json.is_object() && json.contains("based_on"); }
 };
 
-/// Texts that would move a terminal's cursor, or fill it.
+/// Reports texts with control characters, which would move a terminal's cursor, and overlong ones.
 bool sound_texts(const Json& json, const std::string& pointer, const Link& link, base::Problems& problems) {
   const auto sound = [&](const std::string& text, const std::string& at) {
     const bool control = base::has_control(text);
@@ -73,8 +73,8 @@ bool sound_texts(const Json& json, const std::string& pointer, const Link& link,
   return good;
 }
 
-/// JSON of at most 4 MiB, nested at most 32 deep. False and problems otherwise, and where a key is there twice or a text is none
-/// for people; the link is then still readable.
+/// Parses JSON of at most 4 MiB, nested at most 32 deep. False and problems otherwise; also for a duplicate key or a text with control
+/// characters, where the link is still readable.
 bool parse(Link& link, base::Problems& problems) {
   const std::string file = link.path.empty() ? "lesson" : link.path;
   const auto error = [&](const std::string& where, const std::string& message) {
@@ -118,7 +118,7 @@ class Chain {
  public:
   explicit Chain(base::Problems& problems) : problems_(problems) {}
 
-  /// The file and all that it is based on; false where one of them leads nowhere.
+  /// Opens the file and all files that it is based on; false where one of them does not exist.
   bool follow(const std::string& path) {
     if (!open(path)) return false;
     while (links_.back().based()) {
@@ -149,7 +149,7 @@ class Chain {
     if (!out.made) return give(whole, out);
     if (!whole.json.is_object())
       return error(whole, "", say::kNothingToSetIn());
-    // the lesson is called by the first file; what no other file changes is in the last one
+    // the lesson's path is that of the first file; unmodified values are in the last one
     whole.places = Places(links_.front().path, whole.path, whole.line_of);
     bool good = true;
     for (std::size_t i = links_.size() - 1; i-- > 0;) good = lay_over(links_[i], whole) && good;
@@ -159,7 +159,7 @@ class Chain {
     return good;
   }
 
-  /// What can be gone on with where the chain is broken: a file that is based on nothing.
+  /// The readable part of a broken chain: a file that is based on no other.
   bool broken_here(LessonText& out) {
     if (links_.size() == 1 && !links_[0].based()) give(links_[0], out);
     return false;
@@ -182,7 +182,7 @@ class Chain {
     return false;
   }
 
-  /// One value, told at `place` if it cannot be set, and found there from now on; "" is from outside of all files.
+  /// Sets one value, reports at `place` if it cannot be set, and records `place` as its place; "" for settings from outside of all files.
   bool set(Link& whole, const Setting& setting, const std::string& place) {
     std::vector<std::string> pointers;
     const std::string& path = links_.front().path;
@@ -191,7 +191,7 @@ class Chain {
     return good;
   }
 
-  /// What a file sets, and says for itself, into the one below it.
+  /// Applies the changes of a file, and its own keys, to its base.
   bool lay_over(const Link& link, Link& whole) {
     bool good = true;
     for (const char* key : {"id", "title"})
@@ -199,7 +199,7 @@ class Chain {
         good =
             error(link, "",
                   say::kNotOwn(key));
-    // what is added can be set, in the place of what was removed, too
+    // added parts can be set, also in place of removed ones
     if (link.json.contains("remove")) good = remove_parts({link.json["remove"], link.places, "/remove"}, whole.json, whole.places, problems_) && good;
     if (link.json.contains("add")) good = add_parts({link.json["add"], link.places, "/add"}, whole.json, whole.places, problems_) && good;
     for (const auto& [key, value] : link.json.items()) {

@@ -31,7 +31,7 @@ std::vector<std::string> names_in(const Json& lesson, const std::string& list) {
   return names;
 }
 
-// Couplings that have no name keep the number that they had with all the others there.
+// Couplings without a name keep the number that they have in the complete list.
 void name_couplings(Json& lesson) {
   const std::vector<std::string> names = coupling_names(lesson);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -52,7 +52,7 @@ bool take_out(const std::string& name, Json& lesson, Places& places, std::vector
   return false;
 }
 
-// every value of a part is told where it is written itself
+// the place of every value of a part is that in the variant's file
 void move_all(const Json& value, const std::string& to, const std::string& from, const Places& there, Places& places) {
   places.move(to, there.where(from));
   if (value.is_object())
@@ -92,7 +92,7 @@ bool add_parts(const PartsSaid& add, Json& lesson, Places& lesson_places, base::
     }
     Json& all = lesson[list];
     if (all.is_null()) all = Json::array();
-    if (!all.is_array()) continue;  // told when the lesson is read
+    if (!all.is_array()) continue;  // reported when the lesson is read
     for (std::size_t i = 0; i < parts.size(); ++i) {
       move_all(parts[i], "/" + list + "/" + std::to_string(all.size()), from + "/" + std::to_string(i), add.places, lesson_places);
       all.push_back(parts[i]);

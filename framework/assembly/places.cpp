@@ -8,7 +8,7 @@ namespace {
 
 template <class Value>
 void erase_below(std::map<std::string, Value>& map, const std::string& pointer) {
-  // '0' follows '/': every key between is below the pointer
+  // '0' is the character after '/': every key between them is below the pointer
   map.erase(map.lower_bound(pointer + "/"), map.lower_bound(pointer + "0"));
   map.erase(pointer);
 }
@@ -47,7 +47,7 @@ std::map<std::string, std::string> Places::below(const std::string& pointer) con
 std::string Places::where(const std::string& pointer) const {
   const std::string path = path_.empty() ? "lesson" : path_;
   if (pointer.empty()) return path;
-  // what is missing is told at the line of the object that should have it
+  // a missing value is reported at the line of the object that should have it
   for (std::string known = pointer;; known.erase(known.rfind('/'))) {
     if (const auto moved = moved_.find(known); moved != moved_.end()) return moved->second;
     if (const auto line = line_of_.find(known); line != line_of_.end())

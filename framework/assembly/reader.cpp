@@ -15,7 +15,7 @@ namespace swage::assembly {
 
 namespace {
 
-constexpr std::size_t kMostUnknown = 20;  // keys told one by one
+constexpr std::size_t kMostUnknown = 20;  // keys reported one by one
 
 const Json& empty_object() {
   static const Json empty = Json::object();
@@ -51,7 +51,7 @@ const Json* ObjectReader::find(const std::string& key) {
 
 const Json* ObjectReader::need(const std::string& key) {
   const Json* value = find(key);
-  // an object that is none was reported already
+  // a value that is not an object was reported already
   if (value == nullptr && json_ != &empty_object()) teller_.error(pointer_, say::kMissing(key));
   return value;
 }
@@ -141,7 +141,7 @@ swage_vec3 ObjectReader::vector(const std::string& key, const char* unit, swage_
   double v[3] = {0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!number((*value)[i], at(key) + "/" + std::to_string(i), key, unit, v[i])) return fallback;
-    // 1 km: everything in a scene is smaller, and numbers like 1e300 only hide a mistake
+    // 1 km: everything in a scene is smaller, and numbers like 1e300 are mistakes
     if (!(std::abs(v[i]) <= 1e3)) {
       teller_.error(at(key) + "/" + std::to_string(i), say::kTooLargeNumber(short_dump((*value)[i])));
       return fallback;
@@ -175,7 +175,7 @@ swage_pose ObjectReader::pose(const std::string& key) {
   Quat given = Quat::Identity();
   if (four)
     given = Quat((*q)[0].get<double>(), (*q)[1].get<double>(), (*q)[2].get<double>(), (*q)[3].get<double>());
-  // 1e-3: digits that a person rounds away; more is another rotation than the one meant
+  // 1e-3: rounding by a person; a larger deviation means another rotation
   if (!four || !(std::abs(given.norm() - 1) < 1e-3)) {
     teller_.error(at(key) + "/q", say::kNoQuaternion(short_dump(*q)));
     return out;

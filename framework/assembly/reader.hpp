@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One JSON object of a lesson file, read key by key with sentences for what is wrong. [main]
+// One JSON object of a lesson file, read key by key, with messages for faults. [main]
 #pragma once
 
 #include <swage/abi/base.h>
@@ -18,12 +18,12 @@ namespace swage::assembly {
 
 using Json = nlohmann::ordered_json;
 
-/// Problems of one file, told with its places.
+/// Reports problems of one file with their places.
 struct Teller {
   std::function<std::string(const std::string& pointer)> where;
   base::Problems& problems;
 
-  /// A sentence about a name of ten thousand letters is cut.
+  /// Reports an error; a very long message is shortened.
   void error(const std::string& pointer, const std::string& message) const {
     problems.push_back({base::Severity::kError, where(pointer), base::shortened(message, 2000)});
   }
@@ -36,21 +36,21 @@ std::string short_dump(const Json& json);  // at most 60 characters
 
 class ObjectReader {
  public:
-  /// `what` names the object in sentences: "an object of a lesson". A value that is no object reads as an
+  /// `what` names the object in messages: "an object of a lesson". A value that is not an object is read as an
   /// empty one.
   ObjectReader(const Json& json, std::string pointer, std::string what, const Teller& teller);
 
-  /// The value at a key, or nullptr. Every key that is asked for is known.
+  /// The value at a key, or nullptr. The key is then known to finish().
   const Json* find(const std::string& key);
-  /// The same, with an error when it is absent.
+  /// The same, with an error when it is missing.
   const Json* need(const std::string& key);
 
   std::string text(const std::string& key, bool required);
-  /// A text that need not be there, but is not empty where it is.
+  /// An optional text that must not be empty.
   std::string filled(const std::string& key);
   /// true or false.
   bool flag(const std::string& key, bool fallback);
-  /// One of a few words; the first one when it is none of them.
+  /// One of some words; the first one when the value is none of them.
   std::string choice(const std::string& key, std::span<const char* const> words);
   /// A snake_case name of an instance.
   std::string name(const std::string& key, bool required);
@@ -60,11 +60,11 @@ class ObjectReader {
   swage_vec3 vector(const std::string& key, const char* unit, swage_vec3 fallback);
   swage_pose pose(const std::string& key);
 
-  /// Calls f(value, pointer) for each element; an error when the key holds no array, or more than `most`.
+  /// Calls f(value, pointer) for each element; an error when the value is no array, or has more than `most` elements.
   void each(const std::string& key, std::size_t most,
             const std::function<void(const Json&, const std::string&)>& f);
 
-  /// Call it after the last key: an error for each key that was not asked for ("x-..." are notes of people).
+  /// Call after the last key: reports an error for each key that was not read ("x-..." are notes of people).
   void finish();
 
   std::string at(const std::string& key) const;  // pointer of a key

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every sentence that this room tells of a lesson file. Tests name them, and never repeat their words.
+// Messages of this room about lesson files. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -24,7 +24,7 @@ inline constexpr auto kControl = "\"{}\" holds a control character, which no tex
 inline constexpr auto kLongText = "It is longer than 10 000 bytes."_sentence;
 inline constexpr auto kMore = "And {} more."_sentence;
 
-// a lesson that is based on another
+// variants
 inline constexpr auto kBaseIsNoText = "\"based_on\" names the lesson file of which this one is a variant."_sentence;
 inline constexpr auto kBaseIsItself = "It is based on itself, by way of \"{}\"."_sentence;
 inline constexpr auto kTooManyBases = "More than eight lessons are based on one another."_sentence;
@@ -37,11 +37,11 @@ inline constexpr auto kFromBase =
     "or leave out a part write \"add\" or \"remove\"; for all else write the whole lesson."_sentence;
 inline constexpr auto kRemoveIsNoList = "\"remove\" is a list of parts' names [ \"floor\", ... ]."_sentence;
 inline constexpr auto kAddIsNoObject = "\"add\" is an object of lists { \"objects\": [ ... ], \"couplings\": [ ... ], \"devices\": [ ... ] }."_sentence;
-inline constexpr auto kNobodyToRemove = "There is no \"{}\" to remove.{} There is: {}."_sentence;  // second: "did you mean"
+inline constexpr auto kNobodyToRemove = "There is no \"{}\" to remove.{} There is: {}."_sentence;  // second {}: "did you mean"
 inline constexpr auto kSetIsNoObject = "\"set\" is an object { \"needle.arc\": \"2/8\", ... }."_sentence;
 inline constexpr auto kNoPart = "\"{}\" is no value of a part; it looks like \"needle.arc\"."_sentence;
 inline constexpr auto kNoParams = "\"{}\" cannot be set: the lesson that this one is based on has no \"params\": { ... } there."_sentence;
-inline constexpr auto kNobodyToSet = "There is no \"{}\" to set \"{}\".{} There is: {}."_sentence;  // third: "did you mean"
+inline constexpr auto kNobodyToSet = "There is no \"{}\" to set \"{}\".{} There is: {}."_sentence;  // third {}: "did you mean"
 
 // values of a file
 inline constexpr auto kNoObject = "This is {}: an object { \"name\": value, ... }, not {}."_sentence;
@@ -53,7 +53,7 @@ inline constexpr auto kNoFlag = "\"{}\" is true or false, not {}."_sentence;
 inline constexpr auto kNoChoice = "\"{}\" is not known for \"{}\".{} There is: {}."_sentence;
 inline constexpr auto kNoName = "\"{}\" is not a name: lower-case letters, digits and _, a letter first."_sentence;
 inline constexpr auto kNoQuantity = "\"{}\" is {}, not {}."_sentence;
-inline constexpr auto kUnits = " ({})"_sentence;  // that a quantity may have
+inline constexpr auto kUnits = " ({})"_sentence;  // list of the admissible units
 using host::say::kOutOfRange;
 inline constexpr auto kNoWhole = "\"{}\" is a whole number from 0, not {}."_sentence;
 inline constexpr auto kNoVector = "\"{}\" is a list of 3 numbers, not {}."_sentence;
@@ -66,7 +66,7 @@ inline constexpr auto kTooMany = "\"{}\" has at most {} entries, not {}."_senten
 inline constexpr auto kUnknownKey = "\"{}\" is not known in {}.{} It has: {}."_sentence;
 inline constexpr auto kMoreKeys = "And {} more keys are not known."_sentence;
 
-// what only a lesson has
+// keys of a lesson
 inline constexpr auto kOtherFormat = "\"{}\" cannot be read; this program reads \"{}\"."_sentence;
 inline constexpr auto kNoChannel = "{} is no channel of cues; there is colour, shape, sound, force."_sentence;
 inline constexpr auto kNoRequirements = "\"requires\" is an object { \"plugin.id\": \"^1\", ... }."_sentence;
@@ -74,7 +74,7 @@ inline constexpr auto kNoVersions =
     "{} is not a range of versions; write \"^1.2\" (1.2 or later, below 2), \">=1.2\" or \"1.2.0\" (exactly)."_sentence;
 inline constexpr auto kNoPair = "\"between\" holds the names of two objects, [\"a\", \"b\"], not {}."_sentence;
 inline constexpr auto kTaken = "\"{}\" is taken: every device, object and coupling has its own name."_sentence;
-inline constexpr auto kNoSuch = "The lesson has no {} \"{}\".{}{}"_sentence;  // then "did you mean", and what it has
+inline constexpr auto kNoSuch = "The lesson has no {} \"{}\".{}{}"_sentence;  // then "did you mean", and the list of names
 using host::say::kHas;
 using host::say::kHasNone;
 inline constexpr auto kNoClutch = "A button of a clutch is a whole number from 0 to 31, not {}."_sentence;

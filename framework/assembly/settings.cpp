@@ -29,12 +29,12 @@ Json* list_at(Json& object, const char* key) {
   return found != object.end() && found->is_array() ? &*found : nullptr;
 }
 
-/// One value on its way into a lesson.
+/// One value to be set in a lesson.
 struct Entry {
   std::string key;
   Json value;
-  std::vector<std::string> pointers{};  // where it was put
-  bool refused = false;                 // the file has something else where parameters belong
+  std::vector<std::string> pointers{};  // where it was set
+  bool refused = false;                 // the file has a value of another type in place of "params"
 
   void put(Json& use, const std::string& pointer) {
     if (use.is_object() && !use.contains("params")) use["params"] = Json::object();
@@ -46,7 +46,7 @@ struct Entry {
     pointers.push_back(pointer + "/params/" + pointer_step(key));
   }
 
-  /// Every alternative that knows the parameter, else the first.
+  /// Sets the value in every alternative that has the parameter, else in the first.
   void put_in_device(Json& device, const std::string& pointer) {
     const auto knows = [this](const Json& choice) {
       return choice.is_object() && choice.contains("params") && choice["params"].contains(key);
@@ -66,7 +66,7 @@ std::vector<std::string> names_of(const Json& file, const char* list) {
   return names;
 }
 
-/// False when nothing of this name is there; `all` then has every name.
+/// False when there is no instance of this name; `all` then has every name.
 bool find_and_put(Json& file, const std::string& name, Entry& entry, std::vector<std::string>& all) {
   if (name == "lesson" && file.contains("lesson")) {
     entry.put(file["lesson"], "/lesson");
@@ -89,7 +89,7 @@ bool find_and_put(Json& file, const std::string& name, Entry& entry, std::vector
   return false;
 }
 
-/// Its keys stand in it themselves: it is no plugin with parameters. A lesson without one gets one, which then needs a medium.
+/// Sets a key of "environment", which has no "params". A lesson without an environment gets one, which then needs a medium.
 bool set_environment(Json& file, const std::string& key, const Json& value, std::vector<std::string>& pointers) {
   Json& environment = file["environment"];
   if (!environment.is_object()) environment = Json::object();

@@ -9,8 +9,8 @@ namespace swage::assembly {
 
 namespace {
 
-// walks over JSON that a parser has already accepted, so it only looks at the characters that tell values
-// apart
+// traverses JSON that a parser has already accepted, so it only looks at the characters that separate
+// values
 class Mapper {
  public:
   Mapper(const std::string& text, SourceMap& out) : text_(text), out_(out) {}
@@ -42,7 +42,7 @@ class Mapper {
          ++at_)
       if (text_[at_] == '\n') ++line_;
   }
-  // a raw newline cannot be inside a string
+  // valid JSON has no raw newline inside a string
   std::string string() {
     const std::size_t begin = at_++;
     for (; peek() != '"' && at_ < text_.size(); ++at_)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which line of a JSON text each value is on: the parser forgets it. [main]
+// The line of each value in a JSON text, which the parser does not keep. [main]
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace swage::assembly {
 
-// A lesson has some hundred values with keys of some letters; a text beyond these bounds is no lesson, and reporting
+// Limits: a lesson has some hundred values with keys of some letters; a text beyond these limits is no lesson, and reporting
 // each of its values would take minutes.
 inline constexpr std::size_t kMostValues = 20'000;
 inline constexpr std::size_t kMostKey = 200;
 
 struct SourceMap {
   std::size_t values = 0;
-  bool cut = false;  // more than kMostValues, or a key longer than kMostKey: the rest was not looked at
+  bool cut = false;  // more than kMostValues, or a key longer than kMostKey: the rest was not read
   std::map<std::string, uint32_t> line_of;                       // JSON pointer -> line, 1-based
   std::vector<std::pair<std::string, std::string>> double_keys;  // pointer of the object, key
 };
@@ -30,7 +30,7 @@ uint32_t nesting(const std::string& text);
 /// Maps a text that is valid JSON, nested at most 64 deep.
 SourceMap map_source(const std::string& json_text);
 
-/// One step of a JSON pointer: "~" and "/" are escaped.
+/// A key as one step of a JSON pointer: "~" and "/" are escaped.
 std::string pointer_step(const std::string& key);
 
 }  // namespace swage::assembly

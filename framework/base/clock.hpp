@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wall and processor time. Deadlines are in wall time; whether a plugin was slow is told by its processor time. Neither may enter
-// what a step computes.
+// Wall and processor time. Deadlines are in wall time; a plugin's slowness is measured in its processor time. Neither may affect
+// the results of a step.
 #pragma once
 
 #include <time.h>
@@ -22,7 +22,7 @@ inline int64_t wall_ns() noexcept { return clock_ns(CLOCK_MONOTONIC); }
 /// Processor time of the calling thread: a system call, about 0.3 us. [any]
 inline int64_t cpu_ns() noexcept { return clock_ns(CLOCK_THREAD_CPUTIME_ID); }
 
-/// Sleeps until an absolute time of wall_ns(); goes on sleeping after a signal. [io], and [rt] between two
+/// Sleeps until an absolute time of wall_ns(); continues after a signal. [io], and [rt] between two
 /// steps only
 inline void sleep_until_ns(int64_t deadline) noexcept {
   const timespec t{deadline / 1'000'000'000, deadline % 1'000'000'000};

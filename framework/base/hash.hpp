@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// 64-bit hash of plain data, the same on every build: it names the state of a scene after each step. Not
+// 64-bit hash of plain data, the same on every build: identifies the state of a scene after each step. Not
 // cryptographic.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace swage::base {
 
-/// Feeds words one after another; the order counts.
+/// Adds words one after another; the order matters.
 class Hash {
  public:
   explicit constexpr Hash(uint64_t seed = 0) : h_(seed ^ 0x9E3779B97F4A7C15ull) {}
 
   constexpr Hash& add(uint64_t word) {
-    // one round of a multiply-rotate hash: odd multipliers with well spread bits, so that each step is a
+    // one round of a multiply-rotate hash: odd multipliers with well distributed bits, so that each step is a
     // bijection of h_
     h_ = std::rotl(h_ ^ (word * 0xC2B2AE3D27D4EB4Full), 31) * 0x9E3779B185EBCA87ull;
     return *this;
@@ -40,7 +40,7 @@ class Hash {
     return *this;
   }
 
-  /// The hash so far, its bits stirred once more.
+  /// The hash so far, after a final mixing of its bits.
   constexpr uint64_t value() const {
     uint64_t h = h_;
     h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDull;

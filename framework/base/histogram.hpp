@@ -23,10 +23,10 @@ class Histogram {
 
   uint64_t total() const noexcept { return total_; }
   uint64_t max() const noexcept { return max_; }
-  /// 0 of nothing.
+  /// 0 without values.
   double mean() const noexcept { return total_ > 0 ? sum_ / static_cast<double>(total_) : 0; }
 
-  /// Smallest upper edge of a bin such that a share of at least q of all values lies below it; never above
+  /// Smallest upper edge of a bin such that at least a share q of all values is below it; never above
   /// the maximum.
   uint64_t quantile(double q) const noexcept {
     const double wanted = q * static_cast<double>(total_);
@@ -41,7 +41,7 @@ class Histogram {
     return max_;
   }
 
-  /// How many values lie in bins wholly above `ns`.
+  /// Number of values in bins wholly above `ns`.
   uint64_t above(uint64_t ns) const noexcept {
     uint64_t sum = 0;
     for (uint32_t i = bin(ns) + 1; i < kBins; ++i) sum += count_[i];

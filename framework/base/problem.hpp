@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A problem told to a person: where it is, what is wrong, what is allowed, how to mend it.
+// A problem reported to a person: place, fault, allowed values, remedy.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
-/// True when something in the list forbids to go on.
+/// True when the list contains an error.
 inline bool failed(const Problems& problems) {
   for (const Problem& p : problems)
     if (p.severity == Severity::kError) return true;

@@ -8,15 +8,15 @@
 
 namespace swage::base {
 
-/// The smallest value of this SI unit that means anything here; 0 for a unit of which nothing is known. Larger: a real value reads 0.
-/// Smaller: rounding of the arithmetic is read as a measurement (5e-12 m between two points that coincide).
+/// The smallest meaningful value of this SI unit; 0 for an unknown unit. Larger: a real value is displayed as 0.
+/// Smaller: rounding errors are displayed as a measurement (5e-12 m between two coincident points).
 inline double least_meaningful(std::string_view unit) {
-  if (unit == "m") return 1e-9;    // a hundredth of what an encoder of a hand tells, 0.1 um
+  if (unit == "m") return 1e-9;    // a hundredth of the resolution of a hand's encoder, 0.1 um
   if (unit == "m2") return 1e-14;  // a square of 0.1 um; the section of a wire of 0.1 mm is 7.9e-9 m2
-  if (unit == "N") return 1e-6;    // a thousandth of what a thread bears, 1 mN
+  if (unit == "N") return 1e-6;    // a thousandth of a usual thread tension, 1 mN
   if (unit == "rad") return 1e-6;  // 0.00006 deg
   if (unit == "s") return 1e-6;    // a thousandth of a step
-  if (unit == "1" || unit == "%") return 1e-9;  // counts and shares: rounding
+  if (unit == "1" || unit == "%") return 1e-9;  // counts and shares: above rounding errors
   return 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Seeded random numbers, the same on every build. Nothing in Swage draws from anything else.
+// Seeded random numbers, the same on every build. Nothing in Swage uses another source.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@
 
 namespace swage::base {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, so a stream fits into one word of the saved state.
+/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, so a stream takes one word of the saved state.
 constexpr uint64_t splitmix64(uint64_t& state) {
   uint64_t z = (state += 0x9E3779B97F4A7C15ull);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
@@ -19,7 +19,7 @@ constexpr uint64_t splitmix64(uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-/// Start of the stream that belongs to one instance of a lesson.
+/// Seed of the stream of one instance of a lesson.
 inline uint64_t stream_seed(uint64_t lesson_seed, std::string_view instance_name) {
   return hash(instance_name, lesson_seed);
 }
@@ -27,7 +27,7 @@ inline uint64_t stream_seed(uint64_t lesson_seed, std::string_view instance_name
 /// Uniform in [0, 1), 53 bits.
 constexpr double unit_interval(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
-/// xoshiro256++ (Blackman, Vigna 2019), for tests and tools that draw a lot.
+/// xoshiro256++ (Blackman, Vigna 2019), for tests and tools that draw many numbers.
 class Xoshiro256 {
  public:
   using result_type = uint64_t;

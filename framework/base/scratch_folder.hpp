@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A folder for files that nobody needs afterwards. [main]
+// A folder for temporary files. [main]
 #pragma once
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 namespace swage::base {
 
-/// An empty folder below the system's temporary one, removed with all that is in it when this ends.
+/// An empty folder below the system's temporary one, removed with its content by the destructor.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& name) {
@@ -24,7 +24,7 @@ class ScratchFolder {
   }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-  /// Empty where none could be made.
+  /// Empty where no folder could be made.
   const std::filesystem::path& path() const { return path_; }
 
  private:

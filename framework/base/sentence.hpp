@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences for people, as the toolkit has them for plugins: one catalogue per room. [main]
+// Messages for people, as the toolkit has for plugins: one catalogue per room. [main]
 #pragma once
 
 #include "toolkit/sentence.hpp"

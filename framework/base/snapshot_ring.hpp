@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The newest whole value of a plain struct, from one writer to many readers. The writer never waits; a reader
+// The newest complete value of a plain struct, from one writer to many readers. The writer never waits; a reader
 // that was overtaken (eight publications during one copy) tries again.
 //
-// Each slot carries a sequence number: odd while it is written. The words are atomics: stored with release
+// Each slot has a sequence number: odd while it is written. The words are atomics: stored with release
 // and loaded with acquire, so a reader that saw one word of a newer value must also see that the number has
-// changed. On x86 these are plain moves, there are no fences, and ThreadSanitizer understands every access.
+// changed. On x86 these are plain moves, there are no fences, and ThreadSanitizer models every access.
 #pragma once
 
 #include <atomic>
@@ -24,7 +24,7 @@ class SnapshotRing {
  public:
   SnapshotRing() : slot_(std::make_unique<Slot[]>(kSlots)) {}
 
-  /// Only the first `bytes` of the value are given on; readers find older contents behind them. [writer]
+  /// Copies only the first `bytes` of the value; behind them readers get older contents. [writer]
   /// wait-free
   void publish(const T& value, std::size_t bytes = sizeof(T)) noexcept {
     const std::size_t words = bytes < sizeof(T) ? (bytes + 7) / 8 : kWords;
@@ -44,7 +44,7 @@ class SnapshotRing {
   /// Number of publications so far; 0 before the first. [any]
   uint64_t published() const noexcept { return published_.load(std::memory_order_acquire); }
 
-  /// Copies the newest whole value. Returns its publication number, 0 before the first. [any] lock-free
+  /// Copies the newest complete value. Returns its publication number, 0 before the first. [any] lock-free
   uint64_t latest(T& out) const noexcept {
     for (;;) {
       const uint64_t n = published_.load(std::memory_order_acquire);

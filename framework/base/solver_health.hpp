@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a solver could not do as asked: counters, all zero in a sound scene. One table gives them their names wherever they are
-// shown: console, `swage run`, record of an attempt.
+// Failures of a solver: counters, all zero in a well-posed scene. One table has their names for every
+// display: console, `swage run`, record of an attempt.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace swage::base {
 
 /// Counted since the start of the run.
 struct SolverHealth {
-  uint64_t steps = 0;             // steps in which any of the rest was counted
+  uint64_t steps = 0;             // steps in which any other counter increased
   uint64_t not_converged = 0;     // islands left at the best point found
-  uint64_t over_budget = 0;       // steps that used up their budget of work
-  uint64_t dropped_contacts = 0;  // contacts that bore no force for lack of room
-  uint64_t dropped_ties = 0;      // the same of ties
+  uint64_t over_budget = 0;       // steps that reached their work budget
+  uint64_t dropped_contacts = 0;  // contacts without a force, for lack of room
+  uint64_t dropped_ties = 0;      // the same for ties
   uint64_t shared_points = 0;     // contacts of flexible bodies solved at the nearest point, for lack of room
-  uint64_t unanswered = 0;        // contact points for which a flexible body gave no usable answer: it stood still there
+  uint64_t unanswered = 0;        // contact points for which a flexible body gave no valid mobility: it was fixed there
 
   uint64_t total() const {
     return not_converged + over_budget + dropped_contacts + dropped_ties + shared_points + unanswered;
@@ -39,7 +39,7 @@ inline constexpr SolverHealthField kSolverHealthFields[] = {
     {&SolverHealth::unanswered, "unanswered", "contact points without an answer"},
 };
 
-/// "3 islands not converged, 1 contacts dropped ..."; "" where nothing was counted. [main]
+/// "3 islands not converged, 1 contacts dropped ..."; "" when all counters are zero. [main]
 inline std::string text(const SolverHealth& health) {
   std::string out;
   for (const SolverHealthField& field : kSolverHealthFields) {

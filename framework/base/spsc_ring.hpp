@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One writer, one reader, fixed capacity, wait-free on both sides: commands into the step, events and records
-// out of it. A full ring refuses and the caller counts; nothing ever blocks or allocates after construction.
+// out of it. A full ring refuses, and the caller counts the loss; nothing ever blocks or allocates after construction.
 #pragma once
 
 #include <atomic>
@@ -47,7 +47,7 @@ class SpscRing {
     return true;
   }
 
-  /// How many wait; a moment later it may be different. [any]
+  /// Number of values in the ring at this moment. [any]
   std::size_t size() const noexcept {
     const std::size_t head = head_.load(std::memory_order_acquire);
     return tail_.load(std::memory_order_acquire) - head;
@@ -55,13 +55,13 @@ class SpscRing {
   std::size_t capacity() const noexcept { return mask_ + 1; }
 
  private:
-  // 64 B: a cache line; on one line the two sides would steal it from each other with every access
+  // 64 B: a cache line; on one shared line every access of one side would invalidate the other's cache (false sharing)
   std::vector<T> slot_;
   const std::size_t mask_;
   alignas(64) std::atomic<std::size_t> tail_{0};  // written by the writer
-  std::size_t head_seen_ = 0;                     // writer's last look at head_
+  std::size_t head_seen_ = 0;                     // writer's last read of head_
   alignas(64) std::atomic<std::size_t> head_{0};  // written by the reader
-  std::size_t tail_seen_ = 0;                     // reader's last look at tail_
+  std::size_t tail_seen_ = 0;                     // reader's last read of tail_
 };
 
 }  // namespace swage::base

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Texts from outside on their way to a person: no control characters for a terminal, no endless line.
+// Texts from outside, made safe for display: no control characters for a terminal, no endless line.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace swage::base {
 
-/// Length of the control character that begins at `at`, else 0: C0 but tabulator and new line, DEL, and C1 in UTF-8.
+/// Length of the control character at `at`, else 0: C0 except tabulator and new line, DEL, and C1 in UTF-8.
 inline std::size_t control_at(std::string_view text, std::size_t at) {
   const auto c = static_cast<unsigned char>(text[at]);
   if ((c < 0x20 && c != '\t' && c != '\n') || c == 0x7F) return 1;
@@ -42,7 +42,7 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
-/// At most `most` bytes and "...", cut between characters.
+/// At most `most` bytes and "...", cut between characters (UTF-8).
 inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;

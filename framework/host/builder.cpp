@@ -21,9 +21,9 @@ using toolkit::Vec3;
 
 namespace {
 
-// m from a body's origin, and of a radius: beyond that stands only a mistake, and squares overflow
+// m: largest distance from a body's origin, and largest radius: larger values are mistakes, and squares could overflow
 constexpr double kFar = 1e3;
-// shapes of a scene; a bowl from a mesh has some hundred. Each is looked at in every step
+// shapes of a scene; a bowl from a mesh has some hundred. Each is tested in every step
 constexpr uint32_t kMaxShapes = 8192;
 // private doubles of a scene, 64 MB: all are saved at each rewind and hashed in each step. A tissue has some ten thousand
 constexpr uint32_t kMaxState = 8u << 20;
@@ -31,18 +31,18 @@ constexpr uint32_t kMaxState = 8u << 20;
 constexpr uint32_t kMaxConvex = 4096;
 // characters of an id and of a sentence about it
 constexpr std::size_t kMaxId = 100, kMaxDoc = 1000;
-// sentences about one instance: the first ones tell what is wrong
+// messages about one instance: the first ones show the cause
 constexpr uint32_t kMostRefusals = 20;
 
-// a place that can be meant
+// finite and within kFar
 bool finite(const swage_vec3& a) { return std::abs(a.x) <= kFar && std::abs(a.y) <= kFar && std::abs(a.z) <= kFar; }
 
-// what rounding leaves of a unit length; more is a mistake of the author
+// unit length within rounding; a larger deviation is a mistake of the author
 bool unit(double norm) { return std::abs(norm - 1) < 1e-6; }
 
 bool unit(const swage_quat& q) { return unit(std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)); }
 
-// what a plugin says, no longer than anybody reads
+// text of a plugin, cut to a readable length
 std::string shortened(const char* text, std::size_t most) {
   return text != nullptr ? std::string(text, strnlen(text, most)) : std::string();
 }
@@ -100,7 +100,7 @@ struct BuilderCalls {
     const double i[3] = {mass->inertia.x, mass->inertia.y, mass->inertia.z};
     for (int k = 0; k < 3; ++k) {
       if (!positive(i[k])) return say::kNeedsInertia();
-      // each moment is at most the sum of the others: no mass has a negative distance from an axis
+      // each moment is at most the sum of the other two, for any mass distribution
       if (i[k] > (i[(k + 1) % 3] + i[(k + 2) % 3]) * (1 + 1e-9))
         return say::kNoSuchInertia();
     }
@@ -212,7 +212,7 @@ struct BuilderCalls {
       if (convex->face_start[f] > convex->face_start[f + 1])
         return b.refuse(say::kConvexFaces());
 
-    // S sits in the middle of the box, so that the bounding sphere is tight
+    // the origin of S is the middle of the box, so that the bounding sphere is tight
     const Vec3 centre = 0.5 * (low + high);
     scene::Shape shape;
     for (Vec3& v : vertex) {
@@ -271,7 +271,7 @@ struct BuilderCalls {
   static uint32_t state(swage_builder* raw, uint32_t n) {
     Builder& b = of(raw);
     if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return scene::kNone;
-    // 1 Mi doubles are 8 MB to save at each rewind; a number that large is a mistake
+    // 1 Mi doubles are 8 MB to save at each rewind; a larger number is a mistake
     if (n > (1u << 20)) return b.refuse(say::kLargeState(n));
     if (!b.fits(b.world_.plugin_state.size() + n, kMaxState, "private numbers")) return scene::kNone;
     const uint32_t first = b.state.count;
@@ -350,7 +350,7 @@ Builder::Builder(Owner owner, scene::World& world, judge::Script& script, base::
 
 uint32_t Builder::refuse(const std::string& message, const std::string& param_id) {
   const std::string where = owner_.where ? owner_.where(param_id) : owner_.name;
-  // A refusal in a loop is told once.
+  // A refusal repeated in a loop is reported once.
   const bool told = !problems_.empty() && problems_.back().where == where && problems_.back().message == message;
   if (!told && ++refusals_ <= kMostRefusals) problems_.push_back({base::Severity::kError, where, message});
   failed_ = true;

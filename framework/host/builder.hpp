@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The host's side of swage_builder: what an instance declares during configure goes, checked, into the world
+// The host's side of swage_builder: declarations of an instance during configure are checked and stored in the world
 // and the script. One Builder per configure call. Threads: [main].
 #pragma once
 
@@ -18,13 +18,13 @@ namespace swage::host {
 
 class Builder {
  public:
-  /// The instance that declares. Bodies and shapes are written with this object index and placed by X_WO.
+  /// The instance that declares. Bodies and shapes get this object index and are placed by X_WO.
   struct Owner {
     int32_t kind = SWAGE_KIND_OBJECT;  // SWAGE_KIND_*
     std::string name;                  // of the instance
     uint32_t object = scene::kNone;    // OBJECT: its index in the rig
     swage_pose X_WO{{0, 0, 0}, {1, 0, 0, 0}};
-    /// What Problem::where says about a parameter ("" is the whole instance); without it: the instance's
+    /// Problem::where for a parameter ("" is the whole instance); where empty: the instance's
     /// name.
     std::function<std::string(const std::string& param_id)> where;
   };
@@ -33,10 +33,10 @@ class Builder {
 
   swage_builder* abi() { return &abi_; }
   bool failed() const { return failed_; }
-  /// Checks that need all declarations: hinges of hinged bodies. Instance::configure calls it.
+  /// Checks that need all declarations: a hinge for each hinged body. Instance::configure calls it.
   void finish();
 
-  // what was declared, as ranges of the world's and the script's arrays
+  // the declarations, as ranges of the world's and the script's arrays
   scene::Range body, particle, shape, hinge, state, signal, metric, cue, event, phase;
 
  private:
@@ -45,7 +45,7 @@ class Builder {
   friend struct CapacityCalls;
   friend struct ChainCalls;
   uint32_t refuse(const std::string& message, const std::string& param_id = "");
-  bool may(bool allowed, const char* what);  // does this kind of plugin declare such things?
+  bool may(bool allowed, const char* what);  // false, with a refusal, when this kind of plugin may not declare `what`
   bool fits(std::size_t n, uint32_t capacity, const char* what);
   bool owns_body(uint32_t index, const char* shape);
   uint32_t add_shape(uint32_t body, scene::Shape shape, uint32_t flags);
@@ -60,12 +60,12 @@ class Builder {
   swage_builder abi_{};
 };
 
-/// The table behind SWAGE_HOST_HEIGHT_FIELD.
+/// The table of SWAGE_HOST_HEIGHT_FIELD.
 const swage_host_height_field& height_field_table();
-/// Behind SWAGE_HOST_CAPACITIES: asks for room in the world; `of`: the capacities of a scene as plugins see them.
+/// For SWAGE_HOST_CAPACITIES: reserves contact points in the world; and the capacities of a scene as plugins see them.
 uint32_t reserve_points(swage_builder* builder, uint32_t points);
 swage_capacities capacities_of(const scene::World& world);
-/// The table behind SWAGE_HOST_CHAIN.
+/// The table of SWAGE_HOST_CHAIN.
 const swage_host_chain& chain_table();
 
 }  // namespace swage::host

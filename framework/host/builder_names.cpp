@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Builder: names of signals, metrics, cues, events and phases; what only the whole declaration shows.
+// Builder: names of signals, metrics, cues, events and phases; checks that need all declarations.
 #include <algorithm>
 
 #include "host/builder.hpp"

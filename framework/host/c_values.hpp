@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What comes over the C boundary as it may come: a text that may be NULL, a number that may be anything. Header-only, any thread.
+// Conversion of values from the C boundary: a text may be NULL, a number may be anything. Header-only, any thread.
 #pragma once
 
 #include <cmath>

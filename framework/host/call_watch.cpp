@@ -14,17 +14,17 @@ namespace swage::host {
 
 namespace {
 
-constexpr int64_t kLook = 20'000'000;  // ns between two looks
+constexpr int64_t kLook = 20'000'000;  // ns between two checks
 
 std::atomic<const LastCall*> running{nullptr};
-// counts beginnings and ends of calls: odd while one is under way
+// counts beginnings and ends of calls: odd during a call
 std::atomic<uint64_t> turn{0};
 std::atomic<double> limit_of_call{CallWatch::kLimit};
 std::atomic<bool> is_off{false};
 std::atomic<CallWatch::Handler> handler{nullptr};
 std::atomic<pid_t> watched_pid{0};  // a forked child has no watch until its first call
 
-// names the call, lets the record be closed, and ends the process; returns when the call has come back in this moment
+// names the call, lets the handler close the record, and ends the process; returns if the call has just returned
 void end(const LastCall& call, const char* cause, const char* what) {
   const Instance* instance = call.instance.load(std::memory_order_acquire);
   if (instance == nullptr) return;
@@ -56,7 +56,7 @@ void watch() {
       turn.wait(now);
       continue;
     }
-    // the same call for so many looks
+    // the same call at so many checks in succession
     const auto looks = static_cast<int64_t>(limit_of_call.load() * 1e9) / kLook;
     for (int64_t i = 0; i < looks && turn.load(std::memory_order_acquire) == now; ++i)
       base::sleep_until_ns(base::wall_ns() + kLook);
@@ -82,7 +82,7 @@ bool CallWatch::enter(const LastCall& call) noexcept {
     static_cast<void>(registered);
     if (watched_pid.exchange(getpid()) != getpid()) std::thread(watch).detach();
   } catch (...) {
-    // no thread is left for the watch: the calls go on unwatched
+    // no thread could be started for the watch: the calls continue unwatched
   }
   turn.fetch_add(1, std::memory_order_release);
   turn.notify_one();

@@ -24,7 +24,7 @@ std::string program_dir() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path().string();
 }
 
-// beside the programs of an installation, or of a build tree
+// next to the programs of an installation, or of a build tree
 std::string default_install_dir() {
   const fs::path root = fs::path(program_dir()).parent_path();
   std::error_code ignored;
@@ -58,7 +58,7 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-// what lies in a folder, by name: the order of a directory is no order
+// entries of a folder, by name: the order of a directory is undefined
 std::vector<fs::path> sorted_entries(const std::string& dir) {
   std::vector<fs::path> entries;
   std::error_code ignored;
@@ -67,7 +67,7 @@ std::vector<fs::path> sorted_entries(const std::string& dir) {
   return entries;
 }
 
-// one sentence about a child that has not described its library
+// one sentence: why a child has not described its library
 std::string why(const ChildResult& child, const std::string& program, double limit_s) {
   if (!child.started) return say::kNotDescribed(program);
   if (child.timed_out)
@@ -125,7 +125,7 @@ void Catalogue::add_library(const std::string& path, bool stock, const Options& 
   std::string written_hash, error;
   std::vector<PluginInfo> found;
 
-  // the sidecar counts only while the binary is the one that it was made from
+  // the sidecar is valid only for the binary from which it was made
   const std::string sidecar = read_text((bundle / "plugin.json").string());
   if (!read_sidecar(sidecar, written_hash, found, error) || written_hash != hash) {
     const ChildResult child = run_program({options.describe_program, path}, options.describe_limit_s);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which plugins there are, found without running them: explicit folders, SWAGE_PLUGIN_PATH, the user's data
-// folder, the install's lib/swage/plugins. One folder per bundle. The first of an id wins, the others are
-// listed as shadowed; what cannot be used is listed with the reason and stops nobody else. Threads: [main].
+// The installed plugins, found without running them: explicit folders, SWAGE_PLUGIN_PATH, the user's data
+// folder, the install's lib/swage/plugins. One folder per bundle. The first plugin with an id is used, later ones are
+// listed as shadowed; an unusable plugin is listed with the reason and does not affect others. Threads: [main].
 #pragma once
 
 #include <string>
@@ -29,11 +29,11 @@ class Catalogue {
   };
   struct Refused {
     std::string path;    // of the library, or of the bundle when it has none
-    std::string id;      // as far as it is known, else the bundle's name
+    std::string id;      // as far as known, else the bundle's name
     std::string reason;  // one sentence
   };
   struct Shadowed {
-    std::string id, version, path, by;  // by: path of the one in use
+    std::string id, version, path, by;  // by: path of the one that is used
   };
 
   Catalogue() = default;
@@ -47,13 +47,13 @@ class Catalogue {
   const PluginInfo* find(const std::string& id) const;
   std::vector<const PluginInfo*> of_kind(int32_t kind) const;
 
-  /// Loads the library of a plugin into this process. nullptr: one sentence in `error`.
+  /// Loads the library of a plugin into this process. nullptr: `error` has one sentence.
   const Library* load(const PluginInfo& plugin, std::string& error) const;
 
-  /// Why `id` cannot be used: not installed (nearest, where was searched, what was refused).
+  /// Why `id` cannot be used: not installed (nearest name, searched folders, refused plugins).
   std::string missing_text(const std::string& id) const;
 
-  /// Lists a plugin that no folder holds: tests and tools that have loaded a library themselves.
+  /// Adds a plugin that is in no folder: for tests and tools that have loaded a library themselves.
   void add(PluginInfo plugin);
 
  private:

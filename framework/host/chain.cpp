@@ -14,14 +14,14 @@ namespace {
 
 using toolkit::Vec3;
 
-// 513 vertices: 30 mm of thread at 60 um; contacts name pieces in nine bits
+// 513 vertices: 30 mm of thread at 60 um; contacts number pieces with nine bits
 constexpr uint32_t kMost = 513;
 
 Vec3 vertex(const swage_chain& c, uint32_t i) {
   return {c.p_B[3 * i], c.p_B[3 * i + 1], c.p_B[3 * i + 2]};
 }
 
-/// What is wrong with a chain, or nothing. `states`: private doubles of the instance.
+/// Fault of a chain, or "". `states`: private doubles of the instance.
 std::string problem_of(const swage_chain* c, uint32_t states) {
   if (c == nullptr || c->kind != SWAGE_CHAIN_SEGMENTS) return say::kChainKind();
   if (c->n_vertex < 2 || c->n_vertex > kMost)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The checker: JSON values against a parameter table, with sentences for people.
+// The checker: checks JSON values against a parameter table, with messages for people.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -20,13 +20,13 @@ using base::Severity;
 
 namespace {
 
-constexpr std::size_t kMostTold = 50;  // of one plugin's parameters
+constexpr std::size_t kMostTold = 50;  // problems of one plugin's parameters
 
 std::string dump(const Json& json) {
   return base::shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), 57);
 }
 
-// what a parameter takes, for "is ..., not ..."
+// expected type of a parameter, for "is ..., not ..."
 std::string expected(const Param& p) {
   const Unit* unit = find_unit(p.unit);
   const std::string units = unit != nullptr && p.unit != "1" ? " (" + units_like(p.unit) + ")" : "";
@@ -86,7 +86,7 @@ class Checker {
     say(Severity::kError, pointer, message);
   }
 
-  // JSON pointers escape two characters
+  // JSON pointers escape these two characters
   static std::string pointer_to(const std::string& key) {
     std::string out = "/";
     for (const char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
@@ -95,7 +95,7 @@ class Checker {
 
   void take(const std::string& key, const Json& value, std::vector<bool>& given) {
     const std::string pointer = pointer_to(key);
-    if (key.starts_with("x-")) return;  // notes of people
+    if (key.starts_with("x-")) return;  // notes for people
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < table_.size(); ++i) {
       const Param& p = table_[i];
@@ -166,7 +166,7 @@ class Checker {
       out_.files.push_back({name, text});
       return;
     }
-    // what the plugin brought with it
+    // a file of the plugin's bundle
     const fs::path brought = fs::path(source_.bundle_folder) / name;
     if (!source_.bundle_folder.empty() && fs::is_regular_file(brought, failed)) {
       text = brought.string();
@@ -178,7 +178,7 @@ class Checker {
     }
   }
 
-  // a plain number is in the SI unit, a text brings its own
+  // a plain number is in the SI unit, a text has its own
   void number(const Param& p, const std::string& pointer, const Json& json, double& out) {
     double value = 0;
     std::string sentence;
@@ -192,7 +192,7 @@ class Checker {
     }
     if (p.type == SWAGE_PARAM_INTEGER && value != std::floor(value))
       return error(pointer, say::kOtherType(p.label, expected(p), dump(json)));
-    // conversion rounds: "20 mm" must not exceed 0.02 m by its last bit
+    // unit conversion rounds: "20 mm" must not exceed 0.02 m by its last bit
     const double slack = 1e-12 * std::max(std::abs(p.min), std::abs(p.max));
     if (!(value >= p.min - slack && value <= p.max + slack)) {
       return error(pointer, say::kOutOfRange(dump(json), p.label, format_quantity(p.min, p.display_unit), format_quantity(p.max, p.display_unit)));

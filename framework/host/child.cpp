@@ -26,7 +26,7 @@ struct Pipe {
   int read = -1, write = -1;
   Pipe() {
     std::array<int, 2> fd{-1, -1};
-    // close-on-exec: a child that outlives its own child must not hold the other's pipe
+    // close-on-exec: a child that outlives its own child must not hold the other's pipe open
     if (pipe2(fd.data(), O_CLOEXEC) == 0) {
       read = fd[0];
       write = fd[1];
@@ -61,7 +61,7 @@ bool drain(Pipe& pipe, std::string& text) {
   return true;
 }
 
-// Watches the processor time of a child; see child.hpp.
+// Limits the processor time of a child; see child.hpp.
 class Patience {
  public:
   Patience(pid_t pid, double limit_s)
@@ -86,7 +86,7 @@ class Patience {
   bool known_ = false;
 };
 
-// one look at both streams, no longer than `wait_ms`; false when there was nothing to hear
+// polls both streams once, for at most `wait_ms`; false when there was nothing to read
 bool listen(Pipe& out, Pipe& err, int wait_ms, ChildResult& result) {
   // poll ignores negative descriptors
   std::array<pollfd, 2> watch{pollfd{out.read, POLLIN, 0}, pollfd{err.read, POLLIN, 0}};
@@ -96,17 +96,17 @@ bool listen(Pipe& out, Pipe& err, int wait_ms, ChildResult& result) {
   return true;
 }
 
-constexpr int kLook_ms = 20;                  // ms between two looks at a child
-constexpr int64_t kFarewell = 2'000'000'000;  // ns for a child to say where it was and to go
+constexpr int kLook_ms = 20;                  // ms between two checks of a child
+constexpr int64_t kFarewell = 2'000'000'000;  // ns for a child to report its call and to end
 
-// reads both streams until they end or the time is up, then collects the child
+// reads both streams until they end or the time is over, then collects the child
 void collect(pid_t pid, Pipe& out, Pipe& err, double limit_s, ChildResult& result) {
   Patience patience(pid, limit_s);
   int status = 0;
   pid_t ended = 0;
-  int64_t last = 0;  // ns, until when a child that was told to go may stay
+  int64_t last = 0;  // ns, time until which a child that was told to end may stay
   while (ended == 0) {
-    // a child may close its streams and go on
+    // a child may close its streams and continue
     const bool talks = out.read >= 0 || err.read >= 0;
     if (talks)
       listen(out, err, kLook_ms, result);
@@ -158,7 +158,7 @@ ChildResult run_program(const std::vector<std::string>& argv, double limit_s) {
 ChildResult run_forked(const std::function<std::string()>& work, double limit_s) {
   ChildResult result;
   Pipe out, err;
-  // else a plugin that calls exit() in there says once more what we were about to say
+  // else a plugin that calls exit() in the child would write our buffered output a second time
   std::fflush(nullptr);
   const pid_t pid = fork();
   if (pid < 0) {

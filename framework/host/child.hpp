@@ -9,15 +9,15 @@
 
 namespace swage::host {
 
-// How long is too long must not depend on what else the machine does. `limit_s` is a child's processor time, and the time for
-// which it may use none at all (it waits for something that never comes); ten times as long by the clock is the end in any case.
-// Whoever is over the limit gets SIGALRM, and is killed when that does not end it.
+// The limits must not depend on the load of the machine. `limit_s` limits a child's processor time, and the time during
+// which it uses none (it waits for something that never comes); ten times as long by the wall clock is the limit in any case.
+// A child over the limit gets SIGALRM, and is killed if that does not end it.
 
 /// How a child ended.
 struct ChildResult {
   int exit_code = 0;
-  int signal = 0;          // that killed it, 0: none
-  bool timed_out = false;  // it was ended at the limit
+  int signal = 0;          // signal that killed it, 0: none
+  bool timed_out = false;  // ended at the limit
   bool started = true;     // false: the program could not be run
   std::string out, err;    // at most 8 MiB each
   double seconds = 0;      // wall
@@ -28,7 +28,7 @@ struct ChildResult {
 /// Runs a program and waits. argv[0] is its path.
 ChildResult run_program(const std::vector<std::string>& argv, double limit_s);
 
-/// Forks, runs `work` in the child with its text as `out`, and waits. The child ends without running exit
+/// Forks, runs `work` in the child, whose returned text becomes `out`, and waits. The child ends without running exit
 /// handlers.
 ChildResult run_forked(const std::function<std::string()>& work, double limit_s);
 

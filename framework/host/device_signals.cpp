@@ -10,7 +10,7 @@
 namespace swage::host {
 namespace {
 
-// "" or what is wrong with a table
+// "" or the fault of a table
 std::string fault(const swage_device_signals& table) {
   if (table.count < 1 || table.count > SWAGE_MOST_DEVICE_SIGNALS)
     return "says " + std::to_string(table.count) + " signals; allowed are 1 to " + std::to_string(SWAGE_MOST_DEVICE_SIGNALS);

@@ -12,7 +12,7 @@ namespace swage::host {
 
 namespace {
 
-// a struct at a place of the file; false beyond its end
+// reads a struct at an offset of the file; false beyond its end
 template <class T>
 bool read_at(const std::string& file, uint64_t offset, T& out) {
   if (offset > file.size() || file.size() - offset < sizeof(T)) return false;
@@ -27,7 +27,7 @@ bool is_library(const std::string& file, Elf64_Ehdr& header) {
 
 bool shown(const Elf64_Sym& symbol) {
   const auto bind = ELF64_ST_BIND(symbol.st_info), visibility = ELF64_ST_VISIBILITY(symbol.st_other);
-  // absolute symbols are names of versions
+  // absolute symbols are version names
   return symbol.st_shndx != SHN_UNDEF && symbol.st_shndx != SHN_ABS && bind != STB_LOCAL &&
          (visibility == STV_DEFAULT || visibility == STV_PROTECTED);
 }

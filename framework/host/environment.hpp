@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The keys of "environment" in a lesson file: one table for who reads the file, for its schema and for the instructor's form. Threads: [any], no state.
+// The keys of "environment" in a lesson file: one table for its reader, its schema and the instructor's form. Threads: [any], no state.
 #pragma once
 
 #include <swage/environment.hpp>
@@ -12,13 +12,13 @@ namespace swage::host {
 /// Names of SWAGE_MEDIUM_DRY, _MOIST and _WATER, in that order.
 inline constexpr const char* kMedia[] = {"dry", "moist", "water"};
 
-/// One quantity. Beyond [min, max] a value is a mistake of units.
+/// One quantity. A value beyond [min, max] is a mistake of units.
 struct EnvironmentKey {
   const char* key;
   const char* unit;
   double swage_environment::*member;
   double min, max;
-  uint32_t media;  // in which it means something, 1 << index in kMedia
+  uint32_t media;  // media for which it has a meaning, 1 << index in kMedia
   const char* display_unit;
   const char* label;
   const char* doc;
@@ -32,7 +32,7 @@ inline constexpr const char* kMediumDoc =
     "is under water. The numbers below are the medium's own until they are changed. "
     "Not set: a thread is in still air, and bodies feel no fluid.";
 
-// C/m: 26.5 uC/m2, at which air breaks down, on a thread of 10-0 (pi 22 um around) is 1.83 nC/m
+// C/m: 26.5 uC/m2, the limit by breakdown of air, on a thread of 10-0 (circumference pi 22 um) is 1.83 nC/m
 inline constexpr double kMostCharge = 2e-9;
 inline constexpr EnvironmentKey kEnvironmentKeys[] = {
     {"density", "kg/m3", &swage_environment::density, 0, 2000, kInAll, "kg/m3", "Density of the fluid", "Drag and buoyancy of what moves in it."},
@@ -52,8 +52,8 @@ inline constexpr EnvironmentKey kEnvironmentKeys[] = {
      "Torque against the rotation of each free body, for each unit of its angular speed."},
 };
 
-/// What a medium is without further words: air or water at 20 deg C; moist: a film of water 0.1 mm thick (assumed: tissue that is
-/// rinsed carries some tens of micrometres to some tenths of a millimetre).
+/// The default values of a medium: air or water at 20 deg C; moist: a film of water 0.1 mm thick (assumed: rinsed tissue carries
+/// some tens of micrometres to some tenths of a millimetre).
 inline swage_environment medium(uint32_t medium) {
   swage_environment out = kStillAir;
   out.medium = medium;

@@ -20,26 +20,26 @@ thread_local constinit LastCall last_call;
 namespace {
 
 constexpr uint64_t kWindow = 100;            // steps over which lateness is counted
-constexpr int kBadge = 5, kQuarantine = 20;  // late steps of the window
-// ns over its budget while it is under suspicion: who sleeps a third of a second a step is not given twenty of them
+constexpr int kBadge = 5, kQuarantine = 20;  // limits of late steps in the window
+// ns over the budget while it is investigated: a plugin that sleeps a third of a second per step is stopped before twenty such steps
 constexpr int64_t kMostExcess = 250'000'000;
 
-// how often the calling thread has given the processor away by itself: a system call, about 0.3 us
+// voluntary context switches of the calling thread: a system call, about 0.3 us
 int64_t waits() noexcept {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
   return usage.ru_nvcsw;
 }
 
-// the language that calls on [main] begin in; plain text, because a step must be able to restore it
+// the locale at the beginning of calls on [main]; a plain array, because a step must be able to restore it
 char locale_now[512] = "C";
 
-// how many of the last kWindow steps were late; the window is 64 + 36 bits
+// number of late steps in the last kWindow; the window is 64 + 36 bits
 int late_count(const Watch& watch) {
   return std::popcount(watch.late[0]) + std::popcount(watch.late[1] & ((uint64_t{1} << (kWindow - 64)) - 1));
 }
 
-// moves the window on to `step`
+// moves the window forward by `steps`
 void shift(Watch& watch, uint64_t steps) {
   if (steps >= 128) {
     watch.late[0] = watch.late[1] = 0;
@@ -73,22 +73,22 @@ void quarantine(Instance& instance, FaultKind fault, Call call, uint64_t step) n
 
 bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
             double limit) noexcept {
-  // one look, without a branch, at what is almost always sound: sizes that add up to no more than the limit
+  // one pass without branches for the usual case: absolute values with a sum no larger than the limit
   typedef double Two __attribute__((vector_size(16)));
   typedef long long Bits __attribute__((vector_size(16)));
-  constexpr Bits kSize = {0x7FFFFFFFFFFFFFFF, 0x7FFFFFFFFFFFFFFF};  // all but the sign
+  constexpr Bits kSize = {0x7FFFFFFFFFFFFFFF, 0x7FFFFFFFFFFFFFFF};  // mask of all bits but the sign
   const auto size = [&](std::size_t i) __attribute__((always_inline)) {
     const Two a = {data[i], data[i + 1]};
     return __builtin_bit_cast(Two, __builtin_bit_cast(Bits, a) & kSize);
   };
-  Two a = {}, b = {}, c = {}, d = {};  // no addition need wait for the last one
+  Two a = {}, b = {}, c = {}, d = {};  // independent sums: no addition waits for the previous one
   std::size_t i = 0;
   for (; i + 8 <= n; i += 8) a += size(i), b += size(i + 2), c += size(i + 4), d += size(i + 6);
   for (; i < n; ++i) a[0] += std::abs(data[i]);
   const Two all = (a + b) + (c + d);
   if (all[0] + all[1] <= limit) return true;
 
-  // no comparison holds for what is not a number
+  // NaN fails every comparison
   const auto sound = [&](double x) { return std::abs(x) <= limit; };
   if (std::all_of(data, data + n, sound)) return true;
   quarantine(instance, finite(data, n) ? FaultKind::kTooLarge : FaultKind::kNotFinite, call, step);
@@ -99,7 +99,7 @@ namespace detail {
 
 void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept {
   if (watch.step != step) begin_step(watch, step);
-  // these clocks are system calls: they are read only while an instance is under suspicion
+  // these clocks are system calls: they are read only while an instance is investigated
   if (watch.investigated) {
     begin.waits = waits();
     begin.cpu = base::cpu_ns();
@@ -117,12 +117,12 @@ FaultKind stop_watch(Watch& watch, const Clocks& begin) noexcept {
   if (watch.investigated) {
     const int64_t cpu = base::cpu_ns() - begin.cpu;
     watch.cpu_ns += cpu;
-    // who waits by itself answers for the time; who is held up by the machine does not
+    // time for which the instance waits voluntarily counts; time for which the machine delays it does not
     if (!watch.may_wait && waits() > begin.waits) watch.waited_ns += std::max<int64_t>(0, spent - cpu);
   }
   if (watch.wall_ns <= watch.budget_ns) return FaultKind::kNone;
 
-  // over the budget by the wall clock: suspicion; by its own time: guilt
+  // over the budget by the wall clock: investigate; by its own time: late
   watch.investigate_until = watch.step + kWindow;
   if (!watch.investigated) return FaultKind::kNone;
   const int64_t own = watch.cpu_ns + watch.waited_ns;

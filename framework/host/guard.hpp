@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every call into a plugin goes through guarded(): an exception, an error, a changed floating-point mode or
-// repeated overrun costs the instance, never the session. Over a bare call: 5 ns untimed, 50 ns timed.
+// repeated overrun disables the instance, never the session. Cost over a bare call: 5 ns untimed, 50 ns timed.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@ inline FpuMode fpu_mode() noexcept {
   uint16_t x87;
   asm volatile("stmxcsr %0" : "=m"(mxcsr));
   asm volatile("fnstcw %0" : "=m"(x87));
-  return {mxcsr & ~0x3Fu, x87};  // the low six bits say what has happened, not how to calculate
+  return {mxcsr & ~0x3Fu, x87};  // the low six bits are exception flags, not modes
 #else
   return {};
 #endif
@@ -40,8 +40,8 @@ inline void set_fpu_mode([[maybe_unused]] const FpuMode& mode) noexcept {
 #endif
 }
 
-/// The call that a thread is in. A signal handler reads its own thread's, a watchdog those that threads have
-/// shown it.
+/// The call that a thread is in. A signal handler reads its own thread's, a watchdog those of registered
+/// threads.
 struct LastCall {
   std::atomic<const Instance*> instance{nullptr};  // nullptr between calls
   std::atomic<Call> call{Call::kNone};
@@ -49,22 +49,22 @@ struct LastCall {
 };
 extern thread_local constinit LastCall last_call;
 
-/// Puts the instance in quarantine; the first fault stays. [any] wait-free
+/// Puts the instance in quarantine; the first fault is kept. [any] wait-free
 void quarantine(Instance& instance, FaultKind fault, Call call, uint64_t step) noexcept;
 
 /// True when all n numbers are finite.
 inline bool finite(const double* data, std::size_t n) noexcept {
   uint64_t worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    // infinity and NaN are the exponents of all ones
+    // infinity and NaN have an exponent of all ones
     const uint64_t exponent = __builtin_bit_cast(uint64_t, data[i]) & 0x7FF0000000000000ull;
     worst |= static_cast<uint64_t>(exponent == 0x7FF0000000000000ull);
   }
   return worst == 0;
 }
 
-/// Looks through what a call has written: finite, and no component beyond `limit` in size. False:
-/// quarantined. [rt]
+/// Checks the output of a call: finite, and no component beyond `limit` in size. False:
+/// the instance is in quarantine. [rt]
 bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
             double limit) noexcept;
 
@@ -73,25 +73,25 @@ namespace detail {
 /// The clocks of one call.
 struct Clocks {
   int64_t wall = 0, cpu = 0;  // ns
-  int64_t waits = 0;          // how often the thread gave the processor away by itself
+  int64_t waits = 0;          // voluntary context switches of the thread
 };
 void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept;
 /// The fault that follows from the lateness of the last 100 steps; kNone: no fault.
 FaultKind stop_watch(Watch& watch, const Clocks& begin) noexcept;
 
-/// Where the decimal point of the thread's language stands: it moves when somebody calls setlocale.
+/// The decimal point of the thread's locale; the pointer changes when setlocale is called.
 const char* radix() noexcept;
-/// Back to the language that the last MainCall began in.
+/// Restores the locale in which the last MainCall began.
 void restore_locale() noexcept;
 
-/// Around a call on [main]: its limit in wall time, and the language that it must leave as it is.
+/// Scope of a call on [main]: its limit in wall time, and the locale, which it must not change.
 class MainCall {
  public:
   explicit MainCall(bool on_main) noexcept;
   ~MainCall();
   MainCall(const MainCall&) = delete;
   MainCall& operator=(const MainCall&) = delete;
-  /// False: the call changed the language, which is restored.
+  /// False: the call changed the locale, which is restored.
   bool locale_kept() const noexcept;
 
  private:
@@ -99,20 +99,20 @@ class MainCall {
   bool watched_ = false;
 };
 
-/// Calls `f` under last_call and stops what it throws. SWAGE_FAULT: it threw. `changed`: what it had changed of the thread's
-/// floating-point mode or of the program's language, which is restored.
+/// Calls `f` under last_call and catches exceptions. SWAGE_FAULT: it threw. `changed`: fault if it changed the thread's
+/// floating-point mode or the program's locale, which are restored.
 template <class F>
 swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
                        FaultKind* changed = nullptr) noexcept {
   const FpuMode mode = fpu_mode();
   const char* const point = radix();
-  // a signal handler or a watchdog finds here which call was running
+  // a signal handler or a watchdog reads here which call is running
   last_call.call.store(call, std::memory_order_relaxed);
   last_call.step.store(step, std::memory_order_relaxed);
   last_call.instance.store(&instance, std::memory_order_release);
   const MainCall main_call(on_main(call));
 
-  // the wrapper stops exceptions inside the plugin; those of a plugin without it are stopped here
+  // the wrapper catches exceptions inside the plugin; those of a plugin without it are caught here
   swage_result result = SWAGE_OK;
   try {
     if constexpr (std::is_void_v<std::invoke_result_t<F>>) {
@@ -139,8 +139,8 @@ swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
 
 }  // namespace detail
 
-/// Calls `f` (a call of one plugin function; swage_result or void) for `instance`. True: use what it wrote.
-/// False: drop it, because the plugin said DISCARD, is in quarantine, or has just been put there. [any]
+/// Calls `f` (a call of one plugin function; swage_result or void) for `instance`. True: its output is valid.
+/// False: discard the output, because the plugin said DISCARD, is in quarantine, or was just put there. [any]
 /// noexcept, no allocation unless the plugin throws.
 template <class F>
 bool guarded(Instance& instance, Call call, uint64_t step, F&& f) noexcept {

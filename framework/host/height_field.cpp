@@ -10,9 +10,9 @@
 namespace swage::host {
 namespace {
 
-/// What is wrong with a height field, or nothing. `states`: private doubles of the instance.
+/// Fault of a height field, or "". `states`: private doubles of the instance.
 std::string problem_of(const swage_height_field* f, uint32_t states) {
-  // 129 x 129: the heights are saved, hashed and looked through at every step
+  // 129 x 129: the heights are saved, hashed and checked in every step
   constexpr uint32_t kMost = 129;
   if (f == nullptr || !toolkit::vec(f->X_BH.p).allFinite() ||
       std::abs(toolkit::quat(f->X_BH.q).norm() - 1) > 1e-6)

@@ -81,7 +81,7 @@ bool Instance::configure(ParamValues given, Builder& builder, std::string& error
   swage_result result = SWAGE_OK;
   const bool kept = guarded(*this, Call::kConfigure, 0, [&] {
     result = raw->configure(raw, &all, builder.abi());
-    // a refusal is no fault: it comes with reasons
+    // a refusal is no fault: the plugin reports the reasons
     return result == SWAGE_ERROR ? SWAGE_OK : result;
   });
   if (!kept && quarantined.load() != 0) error = quarantine_text(*this);
@@ -104,7 +104,7 @@ bool Instance::activate(double dt_s, std::string& error) {
 void Instance::deactivate() {
   if (!active_) return;
   active_ = false;
-  // also in quarantine: what it holds must be given back
+  // also in quarantine: its resources must be released
   detail::contained(*this, Call::kDeactivate, 0, [&] { raw->deactivate(raw); });
 }
 

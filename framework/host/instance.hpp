@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One live instance of a plugin, what it was configured with, and its record with the guard (guard.hpp).
+// One live instance of a plugin, its configuration, and its record with the guard (guard.hpp).
 #pragma once
 
 #include <swage/abi/plugin.h>
@@ -20,7 +20,7 @@ class Builder;
 class Library;
 struct PluginInfo;
 
-/// Why an instance is in quarantine.
+/// Reason for which an instance is in quarantine.
 enum class FaultKind : uint32_t {
   kNone,
   kError,
@@ -35,7 +35,7 @@ enum class FaultKind : uint32_t {
   kMeddled
 };
 
-/// Which function of a plugin is running.
+/// The function of a plugin that is running.
 enum class Call : uint32_t {
   kNone,
   kCreate,
@@ -70,7 +70,7 @@ enum class Call : uint32_t {
   kDescribe  // [main]
 };
 
-/// Calls outside of the step that must come back within CallWatch::kLimit; open and close of a device have limits of their own.
+/// Calls outside of the step that must return within CallWatch::kLimit; open and close of a device have their own limits.
 constexpr bool on_main(Call call) {
   return (call >= Call::kCreate && call <= Call::kBind) || call >= Call::kLoad;
 }
@@ -78,24 +78,24 @@ constexpr bool on_main(Call call) {
 const char* text(FaultKind fault);  // "returned an error", ...
 const char* text(Call call);        // "forces", ...
 
-/// Time keeping of the guard; written by the thread that calls the instance.
+/// Timing of the guard; written by the thread that calls the instance.
 struct Watch {
   int64_t budget_ns =
       0;  // own processor time per step; 0: untimed, so that nothing depends on the wall clock
   uint64_t step = ~uint64_t{0};
-  int64_t wall_ns = 0, cpu_ns = 0;  // of this step so far
+  int64_t wall_ns = 0, cpu_ns = 0;  // in this step so far
   uint64_t investigate_until = 0;   // up to this step the processor clock is read around each call
-  bool investigated = false;        // this step, from its first call on
+  bool investigated = false;        // in this step, from its first call on
   bool may_wait = false;            // it is called on [io]: a driver may wait
-  int64_t waited_ns = 0;            // of this step so far: wall time of calls that gave the processor away
-  int64_t excess_ns = 0;            // over the budget, since its lateness was last cleared
+  int64_t waited_ns = 0;            // in this step so far: wall time of calls that waited voluntarily
+  int64_t excess_ns = 0;            // ns over the budget, since the late steps were last cleared
   uint64_t late[2] = {0, 0};        // bit i: late i steps ago; [0] the latest 64
   std::atomic<uint32_t> badge{0};   // 1: late in 5 of the last 100 steps
   std::atomic<uint64_t> late_steps{0};
-  std::atomic<uint64_t> preempted{0};  // over its budget by the wall clock and within it by the processor clock
+  std::atomic<uint64_t> preempted{0};  // number of steps over the budget by the wall clock and within it by the processor clock
   std::atomic<int64_t> worst_wall_ns{0};
 
-  /// The same step goes on, and what was spent on it so far is not the instance's: it has the whole budget again.
+  /// Restarts the budget within a step: time spent on it so far is not counted.
   void renew() noexcept { wall_ns = cpu_ns = waited_ns = 0; }
 };
 
@@ -104,14 +104,14 @@ class Instance {
   Instance() = default;
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
-  ~Instance();  // deactivates and destroys what is left
+  ~Instance();  // deactivates and destroys the plugin's instance
 
   /// Creates an instance of `plugin`. nullptr: `error` has one sentence. [main]
   static std::unique_ptr<Instance> create(const PluginInfo& plugin, const Library& library,
                                           const std::string& name, const Shared& shared,
                                           uint32_t random_index, uint64_t seed, std::string& error);
 
-  /// Keeps the values and hands them to the plugin. False: `error` has a sentence, the builder may have more.
+  /// Stores the values and passes them to the plugin. False: `error` has a sentence, the builder may have more.
   /// [main]
   bool configure(ParamValues values, Builder& builder, std::string& error);
   bool activate(double dt_s, std::string& error);  // [main]
@@ -124,7 +124,7 @@ class Instance {
   std::string name;  // in the lesson file
   std::string plugin_id, plugin_version;
   std::vector<swage_value> values;
-  std::vector<std::string> texts;  // what values[i].text points to
+  std::vector<std::string> texts;  // texts to which values[i].text points
   std::vector<std::string> traits;
   swage_instance* raw = nullptr;
   std::unique_ptr<Services> services;

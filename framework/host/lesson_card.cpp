@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kBetter = {"", "lower", "higher", "inside"};
 constexpr std::array kChannels = {"colour", "shape", "sound", "force"};
-constexpr uint32_t kMaxRows = 1000;  // of one table: more is a broken table
+constexpr uint32_t kMaxRows = 1000;  // of one table: more rows are a broken table
 
 /// Calls take(row) for each row of a table; `rows`: a function of the ABI, may be NULL.
 template <class Row, class Take>
@@ -34,7 +34,7 @@ bool has_param(const PluginInfo& plugin, const std::string& id) {
   return std::any_of(plugin.params.begin(), plugin.params.end(), [&](const Param& p) { return p.id == id; });
 }
 
-/// The parameters that a sentence names in braces.
+/// The parameters that a text names in braces.
 std::vector<std::string> named_params(const std::string& text) {
   std::vector<std::string> out;
   for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
@@ -126,7 +126,7 @@ void copy_card(const swage_entry& entry, PluginInfo& plugin) {
   if (labels == nullptr) return;
   each_row(labels->labels, plugin.id, [&](const swage_metric_label& l) {
     MetricInfo* m = find_metric(plugin, copy(l.id));
-    if (m == nullptr) return;  // a label of nothing labels nothing
+    if (m == nullptr) return;  // a label for an unknown metric is ignored
     m->title = copy(l.title), m->show = l.show, m->rank = l.rank;
     m->least = copy(l.least), m->most = copy(l.most);
   });
@@ -170,11 +170,11 @@ Json card_json(const PluginInfo& plugin) {
 }
 
 void read_card(const Json& item, PluginInfo& plugin) {
-  if (!item.contains("metrics")) return;  // no lesson, or one without a card
+  if (!item.contains("metrics")) return;  // not a lesson, or one without a card
   for (const Json& row : item.at("metrics")) read_metric(row, plugin);
   for (const Json& row : item.at("cues"))
     plugin.cues.push_back({row.at("id"), row.at("doc"), row.at("channels").get<uint32_t>()});
-  if (!item.contains("criteria")) return;  // written before there were any
+  if (!item.contains("criteria")) return;  // written before criteria existed
   for (const Json& row : item.at("criteria"))
     plugin.criteria.push_back({row.at("text"), row.at("when"), row.at("kind").get<int32_t>()});
 }

@@ -22,14 +22,14 @@ std::string version_text(uint32_t major, uint32_t minor) {
   return std::to_string(major) + "." + std::to_string(minor);
 }
 
-// libraries stay for the life of the process, and so does this map; deinit runs at exit
+// libraries stay loaded for the life of the process, and so does this map; deinit runs at exit
 std::map<std::string, std::unique_ptr<Library>>& loaded() {
   static auto* const map = new std::map<std::string, std::unique_ptr<Library>>;
   return *map;
 }
 
-// what was refused after it had been mapped: it stays mapped, its constructors do not run again, and a second
-// look would find nothing wrong with it
+// libraries refused after they were mapped: they stay mapped, their constructors do not run again, and a second
+// check would find no fault
 std::map<std::string, std::string>& refused() {
   static auto* const map = new std::map<std::string, std::string>;
   return *map;
@@ -40,7 +40,7 @@ void deinit_all() {
     if (library->entry().deinit != nullptr) library->entry().deinit();
 }
 
-// dlerror() repeats the path, which the caller names anyway
+// dlerror() repeats the path, which the caller reports too
 std::string loader_error(const std::string& path) {
   const char* text = dlerror();
   std::string message = text != nullptr ? text : "unknown error";
@@ -80,7 +80,7 @@ const Library* Library::load(const std::string& path, std::string& error) {
   return (loaded()[real] = std::move(library)).get();
 }
 
-// a library has no instance yet: what is told about its loading names the file
+// a library has no instance yet: messages about its loading name the file
 void Library::call(Call what, FaultKind& changed, swage_result& result, const std::function<void()>& work) const {
   Instance loading;
   loading.name = std::filesystem::path(path_).filename().string();
@@ -89,7 +89,7 @@ void Library::call(Call what, FaultKind& changed, swage_result& result, const st
 }
 
 bool Library::open(std::string& error) {
-  // a library linked with -ffast-math changes the arithmetic of this thread while it loads
+  // a library linked with -ffast-math changes the floating-point mode of this thread while it loads
   const int64_t begin = base::cpu_ns();
   void* handle = nullptr;
   FaultKind changed = FaultKind::kNone;
@@ -106,7 +106,7 @@ bool Library::open(std::string& error) {
     return false;
   }
 
-  // the entry, and whether both sides speak the same language
+  // the entry, and whether its ABI version is compatible
   entry_ = static_cast<const swage_entry*>(dlsym(handle, SWAGE_ENTRY_SYMBOL));
   if (entry_ == nullptr) {
     error = say::kNoPlugin(SWAGE_ENTRY_SYMBOL);

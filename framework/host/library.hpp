@@ -32,7 +32,7 @@ class Library {
  private:
   Library() = default;
   void call(Call what, FaultKind& changed, swage_result& result, const std::function<void()>& work) const;
-  bool open(std::string& error);   // into memory, and whether it speaks our language
+  bool open(std::string& error);   // loads the file and checks its ABI version
   bool start(std::string& error);  // init and factories
   std::string path_, bundle_dir_;
   const swage_entry* entry_ = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The C library's allocator with a counter in front. A definition in the executable is found by every library
+// The C library's allocator with a counter. A definition in the executable overrides that of every library
 // that it loads, so plugins are counted too.
 #include "host/malloc_guard.hpp"
 

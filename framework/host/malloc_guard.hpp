@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Counts heap allocations of a thread: what runs on [rt] must make none. Only programs that link the object
-// library swage_malloc_guard count (tests, `swage`); under a sanitizer, which has an allocator of its own,
+// Counts heap allocations of a thread: code on [rt] must make none. Only programs that link the object
+// library swage_malloc_guard count (tests, `swage`); under a sanitizer, which replaces the allocator,
 // none does.
 #pragma once
 

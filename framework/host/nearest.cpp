@@ -25,7 +25,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view typed, const std::vector<std::string>& names) {
-  // names are short; a file's megabyte of letters is nobody's typing mistake
+  // names are short; a text of a megabyte is no typing mistake
   if (typed.size() > 200) return "";
   const std::size_t limit = std::max<std::size_t>(2, typed.size() / 3);
   std::size_t best = limit + 1;

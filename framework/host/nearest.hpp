@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// "Did you mean": the names closest to what was typed. [main]
+// "Did you mean": the names closest to the typed one. [main]
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace swage::host {
 /// Edits (insert, delete, replace, swap of neighbours) from a to b.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Closest of `names`, or "" when none is close enough to be worth a question (a third of its letters, at
+/// Closest of `names`, or "" when none is close enough to be suggested (edits: a third of its letters, at
 /// least two).
 std::string nearest(std::string_view typed, const std::vector<std::string>& names);
 

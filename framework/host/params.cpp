@@ -56,7 +56,7 @@ void number_faults(const Param& p, const std::function<void(const std::string&)>
 Json number_text(const Param& p, double v) {
   const Unit* unit = find_unit(p.display_unit);
   if (p.type == SWAGE_PARAM_INTEGER) return static_cast<int64_t>(v);
-  // pure numbers stay numbers
+  // numbers without unit stay JSON numbers
   if (unit == nullptr || std::string(unit->symbol) == "1") return v;
   return format_quantity(v, p.display_unit);
 }

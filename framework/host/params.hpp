@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one parameter table of a plugin, as a plain model: what the checker, the schema, the form and the
-// fuzzer read. Threads: [main]. Values that were checked here reach the plugin as they are; it never parses.
+// The parameter table of a plugin, as a plain model: read by the checker, the schema, the form and the
+// fuzzer. Threads: [main]. Values checked here reach the plugin unchanged; it never parses.
 #pragma once
 
 #include <swage/abi/params.h>
@@ -37,34 +37,34 @@ using ParamTable = std::vector<Param>;
 
 /// A file that a lesson names in a parameter of type FILE.
 struct GivenFile {
-  std::string written;  // as the lesson says it
-  std::string path;     // where that is
+  std::string written;  // as in the lesson
+  std::string path;     // the resolved path
 };
 
-/// Checked values, value i for parameter i. Texts live beside the values that point to them.
+/// Checked values, value i for parameter i. Texts are stored beside the values that point to them.
 struct ParamValues {
   std::vector<swage_value> value;
   std::vector<std::string> text;
-  std::vector<GivenFile> files;  // not those that are defaults: they belong to the plugin
+  std::vector<GivenFile> files;  // without default files, which belong to the plugin
 
-  /// Lets value[i].text point to text[i]; after every copy or move.
+  /// Makes value[i].text point to text[i]; after every copy or move.
   void point_to_texts();
 };
 
-/// Where values come from, for messages and relative paths.
+/// Source of values, for messages and relative paths.
 struct ParamSource {
   std::string plugin_id;
   std::string folder;         // relative FILE values are resolved against it
   std::string bundle_folder;  // relative FILE defaults are resolved against it
-  /// What Problem::where says about the value at "/id" below the params object; "" is the object itself.
+  /// Problem::where for the value at "/id" below the params object; "" is the object itself.
   std::function<std::string(const std::string& pointer)> where;
-  /// Files that stand for those that the lesson names, path by name; nullptr for none.
+  /// Files to use instead of those that the lesson names, path by name; nullptr for none.
   const std::map<std::string, std::string>* files = nullptr;
 };
 
 ParamTable copy_table(const swage_param* table, uint32_t count);
 
-/// What is wrong with a table itself (ids, units, ranges, choices, docs), one sentence each.
+/// Faults of a table itself (ids, units, ranges, choices, docs), one sentence each.
 std::vector<std::string> table_faults(const ParamTable& table);
 
 ParamValues default_values(const ParamTable& table, const std::string& bundle_folder = "");
@@ -75,7 +75,7 @@ ParamValues default_values(const ParamTable& table, const std::string& bundle_fo
 bool check_params(std::string_view json_object, const ParamTable& table, const ParamSource& source,
                   ParamValues& out, base::Problems& problems);
 
-/// The value as a lesson file would say it in the display unit: "2.6 mm", "3/8", true, ["0.5", "0.75"] ...
+/// The value as a lesson file would have it, in the display unit: "2.6 mm", "3/8", true, ["0.5", "0.75"] ...
 /// [JSON text]
 std::string value_text(const Param& param, const swage_value& value);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parameter tables in the sidecar: what the plugin says, number for number.
+// Parameter tables in the sidecar: the plugin's values, number for number.
 #include "host/params_json.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The same as params.hpp for callers that already hold parsed JSON (assembly, schema, sidecar). [main]
+// As params.hpp, for callers that already hold parsed JSON (assembly, schema, sidecar). [main]
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ bool check_params_json(const nlohmann::ordered_json& object, const ParamTable& t
 
 nlohmann::ordered_json table_to_json(const ParamTable& table);
 
-/// False when the JSON is not what table_to_json writes.
+/// False when the JSON does not have the form written by table_to_json.
 bool table_from_json(const nlohmann::ordered_json& json, ParamTable& out);
 
 }  // namespace swage::host

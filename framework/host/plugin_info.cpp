@@ -58,7 +58,7 @@ PluginInfo copy_descriptor(const swage_descriptor& d) {
   return plugin;
 }
 
-/// A sentence where a text would move a terminal's cursor.
+/// One sentence for each text with control characters, which would move a terminal's cursor.
 void text_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
   const auto look = [&faults](const std::string& owner, std::initializer_list<const std::string*> texts) {
     if (std::any_of(texts.begin(), texts.end(), [](const std::string* t) { return base::has_control(*t); }))
@@ -84,10 +84,10 @@ const char* kind_text(int32_t kind) {
 
 namespace {
 
-// plugins of one library; more is a counter that runs wild
+// plugins of one library; a larger count is a fault
 constexpr uint32_t kMostPlugins = 1000;
 
-// calls the library; what it throws is stopped by whoever calls this
+// calls the library; the caller catches its exceptions
 bool read_descriptors(const Library& library, std::vector<PluginInfo>& out, std::string& error) {
   const uint32_t n = library.factory().count();
   for (uint32_t i = 0; i < n && i < kMostPlugins; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a plugin is, readable without loading it: the sidecar plugin.json, generated from the binary by
+// Description of a plugin, readable without loading it: the sidecar plugin.json, generated from the binary by
 // swage-describe.
 #pragma once
 
@@ -21,8 +21,8 @@ struct MetricInfo {
   std::string id, unit, doc, formula, code;
   int32_t better = 0, evidence = 0;  // SWAGE_BETTER_*, SWAGE_EVIDENCE_*
   std::string title;                 // "" where the card has no label for it
-  int32_t show = 0, rank = 0;        // SWAGE_SHOW_*; place among what is shown first, 0: on demand
-  std::string least, most;           // parameters that say what is asked of it, "" for none
+  int32_t show = 0, rank = 0;        // SWAGE_SHOW_*; position among the values shown first, 0: on demand
+  std::string least, most;           // parameters that hold its required limits, "" for none
 };
 struct CueInfo {
   std::string id, doc;
@@ -53,23 +53,23 @@ const char* better_text(int32_t better);       // "", "lower", "higher", "inside
 std::string evidence_text(int32_t evidence);   // "", "A" to "D"
 std::string channels_text(uint32_t channels);  // "colour, shape, sound, force"
 
-/// Reads every descriptor and table of a loaded library. False: `error` says what is malformed.
+/// Reads every descriptor and table of a loaded library. False: `error` names the malformed one.
 bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error);
 
-/// What is wrong with a descriptor and its table, one sentence each; empty for a good plugin.
+/// Faults of a descriptor and its table, one sentence each; empty for a good plugin.
 std::vector<std::string> plugin_faults(const PluginInfo& plugin);
 
-/// Largest plugin.json that is read; normal is some tens of kilobytes.
+/// Largest plugin.json that is read; usual are some tens of kilobytes.
 inline constexpr std::size_t kMostSidecarBytes = std::size_t{8} << 20;
 
-/// Hash of what an installation keeps of a library (elf_exports.hpp), "" when it cannot be read.
+/// Hash of what installation preserves of a library (elf_exports.hpp), "" when it cannot be read.
 std::string content_hash(const std::string& path);
 
 /// Text of plugin.json for a library and its plugins (format "swage-plugin/1").
 std::string write_sidecar(const std::string& library_path, const std::string& hash,
                           const std::vector<PluginInfo>& plugins);
 
-/// The other way round; `hash` as written. False: `error` says why.
+/// The inverse; `hash` as written. False: `error` has the reason.
 bool read_sidecar(const std::string& text, std::string& hash, std::vector<PluginInfo>& out,
                   std::string& error);
 

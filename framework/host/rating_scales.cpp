@@ -39,7 +39,7 @@ double number(const Json& from, const char* key, const std::string& where) {
   return found->get<double>();
 }
 
-// only keys that are known: a mistyped one would be passed over in silence
+// refuses unknown keys: a mistyped one would be ignored silently
 void expect_keys(const Json& from, std::initializer_list<const char*> known, const std::string& where) {
   if (!from.is_object()) refuse(say::kIsNoObject(where));
   for (const auto& [key, value] : from.items())

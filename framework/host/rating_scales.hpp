@@ -10,10 +10,10 @@
 
 namespace swage::host {
 
-/// A scale from the text of its file. False, with a sentence in `error`, for a text that is no scale; `out` is then unspecified.
+/// Reads a scale from the text of its file. False, with a sentence in `error`, for an invalid text; `out` is then unspecified.
 bool read_rating_scale(const std::string& text, judge::RatingScale& out, std::string& error);
 
-/// All scales of a folder (*.json), by name of file. A faulty one is left out, and `errors` has its sentence.
+/// All scales of a folder (*.json), by file name. A faulty one is omitted, and its fault is in `errors`.
 std::vector<judge::RatingScale> rating_scales(const std::string& folder, std::vector<std::string>& errors);
 
 }  // namespace swage::host

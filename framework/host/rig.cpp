@@ -6,7 +6,7 @@ namespace swage::host {
 Rig::Rig() : shared{&world, &attempt} {}
 
 Rig::~Rig() {
-  // the reverse of the order of creation; the lesson may look at objects until it is gone
+  // the reverse of the order of creation; the lesson may read objects until it is destroyed
   lesson.instance.reset();
   while (!couplings.empty()) couplings.pop_back();
   while (!objects.empty()) objects.pop_back();

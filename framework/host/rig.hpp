@@ -26,22 +26,22 @@ namespace swage::host {
 using scene::kNone;
 using scene::Range;
 
-/// Which device drives an object, and how hand space maps to the scene.
+/// The devices that drive an object.
 struct Follow {
   uint32_t pose_device = kNone;     // index into Rig::devices
-  uint32_t closure_device = kNone;  // may be another device
+  uint32_t closure_device = kNone;  // may be another device than pose_device
 };
 
 struct ObjectSlot {
   std::unique_ptr<Instance> instance;
   const swage_object* object = nullptr;
-  const swage_solver* solver = nullptr;    // own mechanics, or nullptr
-  const swage_solver_2* solver_2 = nullptr;  // the same of an object with chains, instead
-  const swage_surface* surface = nullptr;  // where its free surface is, or nullptr
-  const swage_dents* dents = nullptr;      // what is drawn of it, or nullptr
+  const swage_solver* solver = nullptr;    // flexible body, or nullptr
+  const swage_solver_2* solver_2 = nullptr;  // the same for an object with chains, instead of solver
+  const swage_surface* surface = nullptr;  // its free surface, or nullptr
+  const swage_dents* dents = nullptr;      // dents to draw, or nullptr
   Range body, particle, shape, hinge, state, signal;
   Follow follow;
-  swage_pose X_WO{};  // where the lesson placed the object's frame
+  swage_pose X_WO{};  // pose of the object's frame, by the lesson
 
   bool moves_itself() const { return solver != nullptr || solver_2 != nullptr; }
 };
@@ -49,25 +49,25 @@ struct ObjectSlot {
 struct CouplingSlot {
   std::unique_ptr<Instance> instance;
   const swage_coupling* coupling = nullptr;
-  const swage_ties* ties = nullptr;      // links that it makes, or nullptr
-  const swage_tears* tears = nullptr;    // what is drawn of it, or nullptr
-  const swage_wounds* wounds = nullptr;  // and what more is known of that, or nullptr
+  const swage_ties* ties = nullptr;      // ties that it makes, or nullptr
+  const swage_tears* tears = nullptr;    // torn places to draw, or nullptr
+  const swage_wounds* wounds = nullptr;  // details of the wounds, or nullptr
   uint32_t object_a = kNone, object_b = kNone;
-  uint32_t pair = kNone;       // index into Rig::pairs; couplings that only look share the pair that detects
+  uint32_t pair = kNone;       // index into Rig::pairs; couplings that only observe share the pair that detects
   Range state, signal, event;  // event: into Script::events
 };
 
 struct DeviceSlot {
   std::unique_ptr<Instance> instance;
   const swage_device* device = nullptr;
-  const swage_device_sight* sight = nullptr;  // of a device that sees the scene
+  const swage_device_sight* sight = nullptr;  // of a device that takes the scene
   double motion_scale = 1;                    // hand movement over scene movement: 10 under a x10 microscope
   double force_scale = 0;                     // N at the hand per N in the scene; 0: no force is sent
   swage_pose X_WD0{};                         // device frame in the world; identity for SWAGE_DEVICE_WORLD
-  HandFilters filters;                        // nothing for SWAGE_DEVICE_WORLD
-  Reaction reaction;                          // how the scene's force grows into the hand's
-  HandCoupling coupling;                      // nothing for a device that takes no forces
-  std::string choice, params;  // "as" name and parameters that the lesson gave it, for the record
+  HandFilters filters;                        // none for SWAGE_DEVICE_WORLD
+  Reaction reaction;                          // law of the force at the hand over the force in the scene
+  HandCoupling coupling;                      // zero for a device that takes no forces
+  std::string choice, params;  // "as" name and parameters given by the lesson, for the record
 };
 
 struct LessonSlot {
@@ -77,7 +77,7 @@ struct LessonSlot {
   Range metric, cue, event, phase;  // into the Script
 };
 
-/// What the lesson was shown in bind(); static while bound, so it lives as long as the rig.
+/// The scene as shown to the lesson in bind(); the lesson may keep pointers to it, so it lives as long as the rig.
 struct BoundScene {
   std::vector<swage_scene_object> objects;
   std::vector<swage_scene_signal> signals;
@@ -99,7 +99,7 @@ struct Rig {
   bool mirror = false;          // hands, pointer, card and snapshot are reflected (toolkit/mirror.hpp)
   std::string descriptor_text;  // the lesson file as read, kept for the record
   std::string descriptor_path;
-  std::vector<GivenFile> files;  // that the lesson names, each once
+  std::vector<GivenFile> files;  // files that the lesson names, each once
 
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
   Attempt attempt;
@@ -114,14 +114,14 @@ struct Rig {
 /// Every instance of the rig, in the order of evaluation: objects, couplings, devices, lesson.
 std::vector<Instance*> instances(const Rig& rig);
 
-/// Activates every instance for steps of World::dt; names who refused. [main]
+/// Activates every instance for steps of World::dt; reports refusals. [main]
 bool activate(Rig& rig, base::Problems& problems);
 
-/// Own processor time that each instance may use per step before it counts as late; 0: nobody is timed, as in
-/// runs that must not depend on the clock. Normal: 200e-6 s of a 1 ms step. [main]
+/// Own processor time that each instance may use per step before the step counts as late; 0: untimed, as in
+/// runs that must not depend on the clock. Usual: 200e-6 s of a 1 ms step. [main]
 void set_budgets(Rig& rig, double seconds);
 
-/// The host does a step again in smaller parts: objects and couplings have the budget of a step for each of them. [rt]
+/// For a step that the host repeats in substeps: objects and couplings have a whole budget for each substep. [rt]
 void renew_budgets(Rig& rig) noexcept;
 
 }  // namespace swage::host

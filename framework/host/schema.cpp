@@ -15,9 +15,9 @@ namespace {
 
 constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
-Json note_pattern() { return {{"^x-", Json::object()}}; }  // notes of people are always allowed
+Json note_pattern() { return {{"^x-", Json::object()}}; }  // notes for people are allowed everywhere
 
-// "^\s*[-+]?...\s*(mm|m|um)\s*$": the regular expressions of JSON Schema are those of ECMAScript
+// "^\s*[-+]?...\s*(mm|m|um)\s*$": JSON Schema uses regular expressions of ECMAScript
 std::string quantity_pattern(const std::string& si) {
   std::string units = units_like(si), choices;
   for (std::size_t at = 0; at < units.size();) {
@@ -77,7 +77,7 @@ Json params_object(const PluginInfo& plugin) {
   Json required = Json::array();
   for (const Param& p : plugin.params) {
     properties[p.id] = param_schema(p);
-    // former ids are read, and replaced with a warning
+    // former ids are accepted, with a warning that names the new one
     for (const std::string& alias : p.aliases) properties[alias] = param_schema(p);
     if (p.required()) required.push_back(p.id);
   }
@@ -87,7 +87,7 @@ Json params_object(const PluginInfo& plugin) {
   return s;
 }
 
-// an object with "plugin" and "params", where the one decides about the other
+// an object with "plugin" and "params", where the plugin determines the schema of params
 Json use_schema(const std::vector<PluginInfo>& plugins, int32_t kind, Json properties,
                 std::vector<std::string> required) {
   Json ids = Json::array(), rules = Json::array();
@@ -213,7 +213,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"add", closed({{"objects", list(object)}, {"couplings", list(coupling)}, {"devices", list(device_schema(plugins, name))}}, {})},
                    {"set", {{"type", "object"}, {"propertyNames", {{"pattern", "^[a-z][a-z0-9_]*\\."}}}}}},
                   {"format", "id", "title"}));
-  // whole, or another lesson with parts and values of its own
+  // a complete lesson, or one based on another with its own parts and values
   const Json parts = {"devices", "objects", "couplings", "lesson", "requires"};
   Json none = Json::object();
   for (const Json& part : parts) none[part.get<std::string>()] = false;

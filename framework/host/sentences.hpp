@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this room tells of parameters, of what a plugin declares, and of libraries that cannot be loaded. Tests name them, and never repeat their
-// words.
+// Messages of this room about parameters, declarations of plugins, and libraries that cannot be loaded. Tests refer to their names and
+// never repeat their words.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -10,22 +10,22 @@ namespace swage::host::say {
 
 using base::operator""_sentence;
 
-// values of parameters
+// parameter values
 inline constexpr auto kParamsNoJson = "The parameters are not JSON: {}"_sentence;
 inline constexpr auto kParamsNoObject = "\"params\" is an object { \"name\": value, ... }, not {}."_sentence;
 inline constexpr auto kParamsLeft = "And {} more parameters have not been looked at."_sentence;
-inline constexpr auto kNeedsParam = "{} needs \"{}\" ({}): {}"_sentence;  // plugin, id, what it takes, its doc
-inline constexpr auto kNoSuchParam = "{} has no such parameter.{}{}"_sentence;  // plugin, "did you mean", what it has
+inline constexpr auto kNeedsParam = "{} needs \"{}\" ({}): {}"_sentence;  // plugin, id, expected type, its doc
+inline constexpr auto kNoSuchParam = "{} has no such parameter.{}{}"_sentence;  // plugin, "did you mean", list of its parameters
 inline constexpr auto kHas = " It has: {}."_sentence;
 inline constexpr auto kHasNone = " It has none."_sentence;
 inline constexpr auto kFormerName = "\"{}\" is now called \"{}\". Write  \"{}\": {}"_sentence;
 inline constexpr auto kGivenTwice = "\"{}\" is given twice."_sentence;
-inline constexpr auto kOtherType = "\"{}\" is {}, not {}."_sentence;  // label, what it takes, what is there
+inline constexpr auto kOtherType = "\"{}\" is {}, not {}."_sentence;  // label, expected type, given value
 inline constexpr auto kOutOfRange = "{} is out of range; \"{}\" goes from {} to {}."_sentence;
 inline constexpr auto kNoFile = "\"{}\": there is no file {}."_sentence;
 inline constexpr auto kBadFile = "\"{}\", {}: {}"_sentence;
 
-// what a parameter takes
+// types of parameters
 inline constexpr auto kWhole = "a whole number"_sentence;
 inline constexpr auto kFlag = "true or false"_sentence;
 inline constexpr auto kOneOf = "one of {}"_sentence;
@@ -39,7 +39,7 @@ inline constexpr auto kNotAUnit = "\"{}\" is not a unit ({})."_sentence;
 inline constexpr auto kNotANumber = "\"{}\" is not a number with a unit; \"{}\" is {}."_sentence;
 inline constexpr auto kHasNoUnit = "\"{}\" has no unit; \"{}\" is {}."_sentence;
 inline constexpr auto kUnknownUnit = "\"{}\": \"{}\" is not a unit; \"{}\" is {}."_sentence;
-inline constexpr auto kOtherDimension = "\"{}\" is {}; \"{}\" is {}."_sentence;  // "a force", then a label and what it takes
+inline constexpr auto kOtherDimension = "\"{}\" is {}; \"{}\" is {}."_sentence;  // "a force", then a label and its expected type
 inline constexpr auto kTooLargeNumber = "\"{}\" is too large to be a number."_sentence;
 
 // a table of parameters
@@ -59,7 +59,7 @@ inline constexpr auto kDimension = "dimension must be {}."_sentence;
 inline constexpr auto kNoChoices = "it has no choices."_sentence;
 inline constexpr auto kDefaultNoChoice = "the default is not a choice."_sentence;
 
-// whatever is declared
+// any declaration
 inline constexpr auto kHasNo = "{} has no {}."_sentence;  // "A lesson", "bodies"
 inline constexpr auto kNoRoom = "The scene would have {} {}; there is room for {}."_sentence;
 inline constexpr auto kNotDeclared = "{} is fixed to body {}, which was not declared."_sentence;
@@ -149,7 +149,7 @@ inline constexpr auto kPlugins = " ({} plugins)"_sentence;
 inline constexpr auto kAbsent = " (absent)"_sentence;
 inline constexpr auto kRefused = " Refused: {}."_sentence;
 
-// what a library says of its plugins
+// descriptors of a library
 inline constexpr auto kNullDescriptor = "Its descriptor {} of {} is NULL."_sentence;
 inline constexpr auto kHoldsNone = "It holds no plugin."_sentence;
 inline constexpr auto kDescribeThrew = "It threw an exception while it was described."_sentence;
@@ -182,7 +182,7 @@ inline constexpr auto kNoItems = "The scale has no items."_sentence;
 
 inline constexpr auto kQuarantine = "{} ({} {}) {} in {}() at step {} and is in quarantine."_sentence;
 
-// how a test of a plugin ended
+// end of a plugin's test
 inline constexpr auto kNoProcess = "No process could be started for it."_sentence;
 inline constexpr auto kNotDone = "It was not done within {} s{}."_sentence;
 inline constexpr auto kCrashed = "It crashed{}: {}."_sentence;
@@ -190,7 +190,7 @@ inline constexpr auto kEndedIn = "It ended its process{}."_sentence;
 inline constexpr auto kEndedWith = "It ended its process with code {}."_sentence;
 inline constexpr auto kNotLoaded = "The library cannot be loaded."_sentence;
 
-// what the tests of a plugin find
+// findings of the tests of a plugin
 inline constexpr auto kNoElf = "It is no 64-bit ELF library."_sentence;
 inline constexpr auto kExportsMore = "It exports more than {}: {}."_sentence;
 inline constexpr auto kLoadsTwo = "Loading it twice gives two libraries."_sentence;
@@ -212,7 +212,7 @@ inline constexpr auto kActivates = "{} cannot be activated the {}. time: {}"_sen
 inline constexpr auto kWrongThread = "{} called the host {} times from a thread that may not: text in the step, or random numbers outside of it."_sentence;
 inline constexpr auto kRewinds = "{} gives other results after a rewind: it remembers something outside of its state."_sentence;
 inline constexpr auto kSecondInstance = "{} gives other results in a second instance: it depends on more than parameters and state."_sentence;
-inline constexpr auto kAtEnd = "\"{}\" at {}"_sentence;  // where what it says was found: at min, at max
+inline constexpr auto kAtEnd = "\"{}\" at {}"_sentence;  // where the finding was made: at min, at max
 inline constexpr auto kRefusesSilently = "{}: {} refuses without a reason."_sentence;
 inline constexpr auto kNoCount = "This program does not count allocations."_sentence;
 inline constexpr auto kAllocates = "{} allocated memory {} times in {} steps; nothing on [rt] may."_sentence;

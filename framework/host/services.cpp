@@ -15,7 +15,7 @@ namespace swage::host {
 
 namespace {
 thread_local constinit int32_t role = SWAGE_THREAD_MAIN;
-// reports of one instance until they are read, and characters of each
+// unread reports of one instance, and characters of each
 constexpr std::size_t kMostReports = 1000;
 constexpr uint64_t kLongestReport = 2000;
 }
@@ -26,7 +26,7 @@ void set_thread_role(int32_t new_role) noexcept { role = new_role; }
 void FaultRing::push(int32_t code, double a, double b) noexcept {
   const uint64_t k = head_.fetch_add(1, std::memory_order_relaxed);
   Slot& slot = slot_[k % kCapacity];
-  // released, so that whoever sees one of them also sees that the ticket has changed; ThreadSanitizer knows no fences
+  // release stores: a reader that sees one of these values also sees the changed ticket; ThreadSanitizer does not model fences
   slot.ticket.store(2 * k + 1, std::memory_order_relaxed);
   slot.code.store(code, std::memory_order_release);
   slot.a.store(a, std::memory_order_release);
@@ -115,13 +115,13 @@ void Services::read_environment(const swage_host* host, swage_environment* out) 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {
   Services& self = of(host);
   if (role == SWAGE_THREAD_RT) {
-    // text on [rt] would allocate: it is dropped, and the breach counted
+    // text on [rt] would allocate: it is dropped, and counted as a breach
     self.role_breaches_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
   const auto level = static_cast<base::Severity>(std::clamp(severity, SWAGE_NOTE, SWAGE_SEVERE));
   const std::lock_guard lock(self.reports_mutex_);
-  // a plugin that talks for ever must not eat the memory
+  // a plugin that reports without end must not exhaust the memory
   if (self.reports_.size() >= kMostReports) return;
   const bool named = where.data != nullptr && where.size > 0;
   self.reports_.push_back({level, named ? std::string(where.data, std::min(where.size, kLongestReport)) : self.name_,

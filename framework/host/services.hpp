@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the host offers to one instance (swage_host): reports, faults, the thread's role, seeded random
+// The services of the host for one instance (swage_host): reports, faults, the thread's role, seeded random
 // numbers, extensions.
 #pragma once
 
@@ -42,7 +42,7 @@ class ScopedRole {
   int32_t before_;
 };
 
-/// What a plugin said with swage_host.fault.
+/// A fault that a plugin reported with swage_host.fault.
 struct Fault {
   int32_t code = 0;
   double a = 0, b = 0;
@@ -52,14 +52,14 @@ struct Fault {
 class FaultRing {
  public:
   static constexpr uint64_t kCapacity =
-      32;  // more in one reading interval overwrite the oldest; `lost` counts them
+      32;  // more faults in one reading interval overwrite the oldest; `lost` counts them
   void push(int32_t code, double a, double b) noexcept;
-  /// Takes what has come since the last call, oldest first. [main]
+  /// Returns the faults since the last call, oldest first. [main]
   std::vector<Fault> take(uint64_t* lost = nullptr);
 
  private:
   struct Slot {
-    std::atomic<uint64_t> ticket{0};  // 2 k + 1 while the k-th fault is written, 2 k + 2 when whole
+    std::atomic<uint64_t> ticket{0};  // 2 k + 1 while the k-th fault is written, 2 k + 2 when complete
     std::atomic<int32_t> code{0};
     std::atomic<double> a{0}, b{0};
   };
@@ -68,17 +68,17 @@ class FaultRing {
   uint64_t taken_ = 0;
 };
 
-/// What every instance may ask of the attempt that it serves.
+/// The attempt, as every instance may query it.
 struct Attempt {
   int32_t mode = SWAGE_ATTEMPT_TEST;
-  int32_t eyes = SWAGE_EYES_NONE;                         // as the attempt began
-  swage_pointer pointer{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of this step; in a mirrored lesson of the other hand
+  int32_t eyes = SWAGE_EYES_NONE;                         // at the beginning of the attempt
+  swage_pointer pointer{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of this step; mirrored in a lesson for the other hand
 };
 
-/// What the services of all instances of a rig share; owned by the rig.
+/// Data shared by the services of all instances of a rig; owned by the rig.
 struct Shared {
   scene::World* world = nullptr;     // random streams live in its saved state
-  const Attempt* attempt = nullptr;  // nullptr: a test at which nobody looks
+  const Attempt* attempt = nullptr;  // nullptr: a test without a viewer
 };
 
 class Services {
@@ -92,7 +92,7 @@ class Services {
   /// Problems that the plugin reported since the last call. [main]
   base::Problems take_reports();
   FaultRing& faults() { return faults_; }
-  /// Calls of host functions from a role that may not make them (checked always, reported by the validator).
+  /// Number of calls of host functions from a role that may not make them (always checked, reported by the validator).
   /// [any]
   uint32_t role_breaches() const { return role_breaches_.load(std::memory_order_relaxed); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device that is not there: in a replay the samples come from the recording, so no device plugin is asked, nor need it be
+// A stand-in for a device: in a replay the samples come from the recording, so the device plugin is not called and need not be
 // installed. [main]
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace swage::host {
 
-/// An instance that offers swage.device/1 with these flags, opens, and never has anything new to say.
+/// An instance that offers swage.device/1 with these flags, opens, and never gives a new sample.
 std::unique_ptr<Instance> stand_in_device(const std::string& name, const std::string& plugin_id,
                                           const std::string& plugin_version, uint32_t flags,
                                           const Shared& shared);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a plugin's table has all its functions: the step calls them without looking.
+// Checks that a plugin's table has all its functions: the step calls them without a check.
 #pragma once
 
 #include <swage/abi/band.h>
@@ -30,8 +30,8 @@ inline bool complete(const swage_device& t) { return t.open && t.close && t.exch
 inline bool complete(const swage_device_sight& t) { return t.bind && t.look; }
 inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }
 
-/// The table `id` of an instance. nullptr: it is not offered, or it has gaps; `error` then has a sentence,
-/// unless the table is not `needed` and simply not there. [main]
+/// The table `id` of an instance. nullptr: it is not offered, or a function is missing; `error` then has a sentence,
+/// unless the table is not `needed` and not offered. [main]
 template <class Table>
 const Table* find_table(Instance& instance, const char* id, bool needed, std::string& error) {
   const auto* found = static_cast<const Table*>(instance.extension(id));

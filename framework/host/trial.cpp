@@ -15,10 +15,10 @@ namespace swage::host {
 
 namespace {
 
-// N and N m; a thousand times what a hand can do to a scene
+// N and N m; a thousand times the forces of a hand on a scene
 constexpr double kMaxForce = 1e3;
 constexpr double kAnyNumber = 1e300;
-// the given path: a millimetre to and fro, five times a second
+// the given path: an oscillation of a millimetre, five times a second
 constexpr double kAmplitude = 1e-3, kRate = 2 * M_PI * 5;
 
 }  // namespace
@@ -41,7 +41,7 @@ Trial::Trial(const Library& library, const PluginInfo& plugin, ParamValues value
   }
   if (plugin.kind == SWAGE_KIND_DEVICE) open_device();
   ready_ = error_.empty();
-  if (ready_) reset();  // as the contract has it: reset comes before the first step
+  if (ready_) reset();  // reset comes before the first step, as in the contract
   for (base::Problem& p : instance_->services->take_reports()) problems_.push_back(std::move(p));
 }
 
@@ -53,7 +53,7 @@ void Trial::open_device() {
     opened = device->open(instance_->raw);
     return SWAGE_OK;
   });
-  // hardware that is not here is no fault of the plugin
+  // missing hardware is no fault of the plugin
   if (opened >= 0) device_ = device;
 }
 
@@ -83,7 +83,7 @@ uint64_t Trial::run(uint64_t n) {
   return 0;
 }
 
-// where everything is in this step, whatever the forces
+// moves the bodies on the given path, whatever the forces
 void Trial::move() {
   const double t = world_.time(), s = std::sin(kRate * t), c = std::cos(kRate * t);
   const double offset = kAmplitude * s, speed = kAmplitude * kRate * c;
@@ -142,7 +142,7 @@ std::string Trial::chain_fault() const {
       const std::string vertex = "vertex " + std::to_string(i) + " of a chain";
       if (i > 0 && !(now.s(i) > now.s(i - 1))) return vertex + " has an arc length that does not rise.";
       if (!(now.radius(i) >= 0)) return vertex + " begins a piece with a radius below 0.";
-      // what is moved along the material, or turned further than a velocity says, is off by a share of the way
+      // a vertex moved along the material, or rotated further than its velocity predicts, differs by a share of its displacement
       const toolkit::Vec3 way = now.p(i) - before.p(i), led = world_.dt * now.v(i);
       if (now.s(i) == before.s(i) && (way - led).norm() > 1e-3 * way.norm() + 1e-9 * world_.length)
         return vertex + " is not where its velocity leads.";

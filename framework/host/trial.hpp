@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One instance alone in a world of its own, called as the step calls it but without contacts and integration:
-// bodies move on a given path, hands and drives are given. What the validator and the tests of bad plugins
-// step by hand. Threads: [main], which takes the role [rt] for each step.
+// One instance alone in its own world, called as the step calls it but without contacts and integration:
+// bodies move on a given path, hands and drives are given. The validator and the tests of bad plugins step
+// it by hand. Threads: [main], which takes the role [rt] for each step.
 #pragma once
 
 #include <swage/abi/device.h>
@@ -20,7 +20,7 @@ namespace swage::host {
 
 class Trial {
  public:
-  /// Creates, configures and activates. ready() false: error() has the reason, problems() may have more.
+  /// Creates, configures and activates. Where ready() is false, error() has the reason, problems() may have more.
   Trial(const Library& library, const PluginInfo& plugin, ParamValues values);
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
@@ -28,27 +28,27 @@ class Trial {
 
   bool configured() const { return configured_; }
   bool ready() const { return ready_; }
-  /// Whether this kind can be stepped alone: objects, and devices that open.
+  /// True for kinds that can be stepped alone: objects, and devices that open.
   bool steps() const { return object_ != nullptr || device_ != nullptr; }
   const std::string& error() const { return error_; }
   const base::Problems& problems() const { return problems_; }
   Instance* instance() { return instance_.get(); }
 
-  /// One step; false when it was dropped (quarantine, or the plugin said DISCARD).
+  /// One step; false when its output was discarded (quarantine, or the plugin said DISCARD).
   bool step();
-  /// Steps until one is dropped, at most n times. Its number, 0 when none was.
+  /// Steps until an output is discarded, at most n times. Returns the number of that step, 0 when there was none.
   uint64_t run(uint64_t n);
-  /// Back to the start, as the step does it.
+  /// Resets to the start, as the step does.
   void reset();
   uint64_t steps_done() const { return world_.step; }
   /// Heap allocations inside the plugin's [rt] functions so far, when the program counts them.
   uint64_t allocations() const { return allocations_; }
 
-  /// What is wrong with its chains after the last step, or nothing.
+  /// Fault of its chains after the last step, or "".
   std::string chain_fault() const;
-  /// Hash of what it wrote in the last step and of its state.
+  /// Hash of its output in the last step and of its state.
   uint64_t hash() const;
-  /// The whole state, for rewinding.
+  /// The whole state, for a later restore().
   const scene::World& world() const { return world_; }
   void restore(const scene::World& saved) { world_ = saved; }
 

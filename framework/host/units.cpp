@@ -108,7 +108,7 @@ bool parse_quantity(std::string_view text, std::string_view si, std::string_view
   const std::string_view body = trimmed(text);
   const char* end = body.data() + body.size();
   double number = 0;
-  // from_chars knows no plus sign; people do
+  // from_chars does not accept a plus sign, people write one
   const char* begin = body.data() + (body.size() > 1 && body[0] == '+' && body[1] != '-' ? 1 : 0);
   const auto [rest, status] = std::from_chars(begin, end, number);
   if (status != std::errc{} || !std::isfinite(number)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text with a unit to SI. The table is fixed and small: at this scale a bare 0.0001 is how thousand-fold
-// mistakes happen. Threads: [any], no state.
+// Conversion of text with a unit to SI. The table is fixed and small: at this scale a bare 0.0001 easily is a
+// mistake by a factor of a thousand. Threads: [any], no state.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace swage::host {
 
-/// A unit of the table. Two units measure the same thing when their dimensions are equal.
+/// A unit of the table. Two units measure the same quantity when their dimensions are equal.
 struct Unit {
   const char* symbol;
   double scale;           // SI value = scale * number
@@ -18,7 +18,7 @@ struct Unit {
   const char* dimension;  // "a length"
 };
 
-/// nullptr when the table has no such symbol.
+/// The unit with this symbol, or nullptr.
 const Unit* find_unit(std::string_view symbol);
 
 /// All symbols, comma-separated, in the order of the table.
@@ -27,19 +27,19 @@ std::string unit_list();
 /// Symbols of one dimension: "m, mm, um". `si` is the SI symbol.
 std::string units_like(std::string_view si);
 
-/// What a quantity of this SI symbol of the table is: "a length (m, mm, um)".
+/// Description of the quantity of an SI symbol of the table: "a length (m, mm, um)".
 std::string measure_of(std::string_view si);
 
-/// Reads "2.6 mm" as `si` (an SI symbol of the table). `label` is what the sentence in `error` calls the
-/// value. False: `error` has one sentence such as  "0.1 N" is a force; "Wire diameter" is a length (m, mm,
+/// Reads "2.6 mm" as `si` (an SI symbol of the table). `label` names the value in `error`.
+/// False: `error` has one sentence such as  "0.1 N" is a force; "Wire diameter" is a length (m, mm,
 /// um).
 bool parse_quantity(std::string_view text, std::string_view si, std::string_view label, double& value,
                     std::string& error);
 
-/// An SI value in a unit of the table, at most 9 significant digits: "2.6 mm"; pure numbers stand alone.
+/// An SI value in a unit of the table, at most 9 significant digits: "2.6 mm"; pure numbers have no unit.
 std::string format_quantity(double value, std::string_view unit);
 
-/// A number as short as possible, at most 9 significant digits, without locale.
+/// A number in its shortest form, at most 9 significant digits, independent of the locale.
 std::string format_number(double value);
 
 }  // namespace swage::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs the tests of a plugin library, each in a child that may crash or hang.
+// Runs the tests of a plugin library, each in a child process that may crash or hang.
 #include "host/validate.hpp"
 
 #include <signal.h>
@@ -24,15 +24,15 @@ namespace swage::host {
 namespace {
 
 constexpr std::array kMarks = {"success", "warning", "skipped", "failed", "crashed"};
-constexpr int kTimeUp = 99;  // exit code of a child that was told that its time is up
+constexpr int kTimeUp = 99;  // exit code of a child after its time limit
 constexpr int kEnded = 98;   // exit code of a child in which a plugin called exit()
 
 void write_text(const char* text) {
-  // a signal handler cannot do anything about a failed write
+  // a signal handler cannot handle a failed write
   [[maybe_unused]] const ssize_t n = write(STDERR_FILENO, text, strlen(text));
 }
 
-// names the call that the child was in; only what a signal handler may do
+// writes the name of the call that the child was in; async-signal-safe
 void name_last_call() {
   const Instance* instance = last_call.instance.load(std::memory_order_acquire);
   if (instance == nullptr) return;
@@ -79,7 +79,7 @@ std::string last_call_text(const std::string& err) {
   return " " + err.substr(at + 7, err.find('\n', at + 7) - at - 7);
 }
 
-// what a child says: the mark as a letter, then the text
+// output of a child: the mark as a letter, then the text
 std::string encode(const Finding& finding) {
   return std::string(1, static_cast<char>('0' + static_cast<int>(finding.mark))) + finding.text;
 }
@@ -114,7 +114,7 @@ std::string library_in(const std::string& path) {
   return found.empty() ? path : found[0];
 }
 
-// asks a child who is in the library; empty when nobody answers
+// lets a child describe the library; empty where it fails
 std::vector<PluginInfo> ask(const std::string& library_path, double limit_s) {
   const auto describe_it = [&]() -> std::string {
     arm_child();
@@ -164,7 +164,7 @@ std::vector<ValidateResult> validate(const std::string& path, const std::vector<
     if ((test.kinds & kinds) == 0) continue;
     const int64_t begin = base::wall_ns();
     ValidateResult result{test.name, test.level, {}, 0};
-    // only the first test can say anything about a library that cannot be described
+    // only the test "load" applies to a library that cannot be described
     const bool loads = !subject.plugins.empty() || test.name == "load";
     result.finding =
         loads ? run_one(test, subject, options) : Finding{Mark::kSkipped, say::kNotLoaded()};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The tests behind `swage validate`. Each runs in a forked child with a time limit, so that a crash or a hang
-// is a result and not the end. Rooms above (step, tools) add tests of their own with add_test. Threads:
+// is a result. Rooms above (step, tools) add their own tests with add_test. Threads:
 // [main].
 #pragma once
 
@@ -18,7 +18,7 @@ enum class Mark : int32_t { kSuccess, kWarning, kSkipped, kFailed, kCrashed };
 
 const char* text(Mark mark);  // "success", ...
 
-/// What one test has found. Warning is for what depends on the speed of the machine.
+/// Result of one test. Warning is for results that depend on the speed of the machine.
 struct Finding {
   Mark mark = Mark::kSuccess;
   std::string text;  // sentences; "" for a plain success
@@ -27,12 +27,12 @@ struct Finding {
 struct ValidateOptions {
   uint32_t strictness = 5;  // 1 to 10: tests up to this level
   std::string only;         // name of one test; "" for all
-  uint64_t seed = 1;        // of random tests; a finding names it
+  uint64_t seed = 1;        // of random tests; a finding reports it
   double limit_s = 20;      // of processor time per test, or of waiting; see child.hpp
   bool in_process = false;  // for debuggers: no child, no limit
 };
 
-/// What a test is given. `plugins`: every plugin of the library.
+/// Input of a test. `plugins`: every plugin of the library.
 struct Subject {
   std::string library_path;
   std::vector<PluginInfo> plugins;
@@ -47,7 +47,7 @@ struct ValidateTest {
   std::string name;  // "load"
   std::string asks;  // one sentence
   std::function<Finding(const Subject&)> run;
-  uint32_t kinds = kAllKinds;  // of plugins that it can say anything about, kind_bit() each
+  uint32_t kinds = kAllKinds;  // kinds of plugins to which it applies, kind_bit() each
 };
 
 struct ValidateResult {
@@ -57,11 +57,11 @@ struct ValidateResult {
   double seconds = 0;  // wall
 };
 
-/// The tests that this room can do, levels 1 to 7, in order.
+/// The tests of this room, levels 1 to 7, in order.
 std::vector<ValidateTest> host_tests();
 
-/// Runs those of `tests` (host_tests() and more) that ask anything of the plugins in the bundle folder or library at `path`.
-/// `progress` hears of each result.
+/// Runs those of `tests` (host_tests() and more) that apply to the plugins in the bundle folder or library at `path`.
+/// `progress` is called with each result.
 std::vector<ValidateResult> validate(const std::string& path, const std::vector<ValidateTest>& tests,
                                      const ValidateOptions& options,
                                      const std::function<void(const ValidateResult&)>& progress = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the host can ask a plugin by itself. Each test looks at every plugin of the library and keeps the
+// Tests that the host can do alone. Each tests every plugin of the library and reports the
 // worst finding.
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,14 @@ namespace swage::host {
 
 namespace {
 
-constexpr uint64_t kSteps = 300;  // of a trial: a third of a second, longer than any filter's memory here
+constexpr uint64_t kSteps = 300;  // of a trial: a third of a second, longer than the memory of any filter here
 
-// the worst so far, and everything that was said
+// the worst mark so far, and all sentences
 class Findings {
  public:
   void add(Mark mark, const std::string& text) {
     if (mark > found_.mark) found_.mark = mark;
-    // the same sentence for fifty parameters says no more than once
+    // a sentence that applies to fifty parameters is reported once
     if (said_.insert(text).second && said_.size() <= 10)
       found_.text += (found_.text.empty() ? "" : "\n") + text;
   }
@@ -61,7 +61,7 @@ std::string trouble(Trial& trial, const std::string& id) {
   return id + ": " + reasons(trial);
 }
 
-// calls f(trial) with the defaults of each plugin that can be stepped alone; says why it was not for the
+// calls f(trial) with the defaults of each plugin that can be stepped alone; reports why for the
 // others
 template <class F>
 void each_trial(const Subject& subject, Findings& f, F&& run) {
@@ -97,7 +97,7 @@ Finding test_load(const Subject& subject) {
   std::vector<PluginInfo> plugins;
   std::string error;
   if (!describe(*library, plugins, error)) f.fail(error);
-  // a start with thirty plugins must not take seconds
+  // starting with thirty plugins must not take seconds
   if (library->load_seconds() > 0.1)
     f.warn(say::kSlowLoad(static_cast<int>(library->load_seconds() * 1e3)));
   return f.take();
@@ -126,7 +126,7 @@ Finding test_descriptor(const Subject& subject) {
   std::set<std::string> ids;
   for (const PluginInfo& plugin : subject.plugins) {
     PluginInfo bare = plugin;
-    // the table has a test of its own; the card names parameters of it
+    // the table has its own test; the card refers to parameters of the table
     bare.params.clear(), bare.metrics.clear(), bare.cues.clear(), bare.criteria.clear();
     std::vector<std::string> faults = plugin_faults(bare);
     card_faults(plugin, faults);
@@ -137,7 +137,7 @@ Finding test_descriptor(const Subject& subject) {
   if (library->factory().descriptor(static_cast<uint32_t>(subject.plugins.size())) != nullptr)
     f.fail(say::kAnyDescriptor());
 
-  // the sidecar says what the binary says
+  // the sidecar must agree with the binary
   std::string text, why;
   toolkit::read_file(library->bundle_dir() + "/plugin.json", kMostSidecarBytes, text, why);
   const std::string fresh =
@@ -154,12 +154,12 @@ Finding test_parameters(const Subject& subject) {
   Findings f;
   for (const PluginInfo& plugin : subject.plugins) {
     for (const std::string& fault : table_faults(plugin.params)) f.fail(plugin.id + ": " + fault);
-    // the defaults, written as a lesson would write them, must come through the checker
+    // the defaults, written as in a lesson, must pass the checker
     std::string json;
     const ParamValues defaults = default_values(plugin.params);
     for (std::size_t i = 0; i < plugin.params.size(); ++i) {
       const Param& p = plugin.params[i];
-      if (p.type == SWAGE_PARAM_FILE) continue;  // a file that may not be here
+      if (p.type == SWAGE_PARAM_FILE) continue;  // its file may not exist here
       json += (json.empty() ? "" : ", ") + ("\"" + p.id + "\": ") + value_text(p, defaults.value[i]);
     }
     ParamTable no_files = plugin.params;
@@ -172,7 +172,7 @@ Finding test_parameters(const Subject& subject) {
   return f.take();
 }
 
-// the table that the kind of plugin lives by, whole; and a solver without gaps if there is one
+// the table that the kind of plugin requires, complete; and a complete solver if there is one
 std::string tables_of(Instance& instance, int32_t kind) {
   std::string error;
   if (kind == SWAGE_KIND_OBJECT) {
@@ -190,7 +190,7 @@ std::string tables_of(Instance& instance, int32_t kind) {
 void lifecycle_of(const Library& library, const PluginInfo& plugin, Findings& f) {
   std::string error;
   const auto create = [&] { return Instance::create(plugin, library, "trial", {}, scene::kNone, 1, error); };
-  // made and thrown away; woken up without having been told what to be
+  // created and destroyed; activated without a configuration
   if (!create()) return f.fail(error);
   const auto early = create();
   if (early && early->activate(1e-3, error))
@@ -198,7 +198,7 @@ void lifecycle_of(const Library& library, const PluginInfo& plugin, Findings& f)
   if (early && early->extension("org.example.nobody/1") != nullptr)
     f.fail(say::kAnyExtension(plugin.id));
 
-  // configured twice, each time into a world of its own; then on and off a hundred times
+  // configured twice, each time in a new world; then activated and deactivated a hundred times
   const auto twice = create();
   for (int i = 0; i < 2 && twice; ++i) {
     error.clear();
@@ -254,7 +254,7 @@ std::vector<uint64_t> record(Trial& trial, uint64_t n) {
 Finding test_state(const Subject& subject) {
   Findings f;
   each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library& library) {
-    if (plugin.kind != SWAGE_KIND_OBJECT) return;  // beside an object in one library
+    if (plugin.kind != SWAGE_KIND_OBJECT) return;  // other kinds in the same library
     trial.reset();
     record(trial, kSteps / 3);
     const scene::World saved = trial.world();
@@ -262,7 +262,7 @@ Finding test_state(const Subject& subject) {
     trial.restore(saved);
     if (record(trial, kSteps / 3) != first)
       f.fail(say::kRewinds(plugin.id));
-    // another run of the same instance, and of a second one beside it
+    // a second run of the same instance, and of a second instance
     trial.reset();
     const auto again = record(trial, kSteps / 3);
     Trial other(library, plugin, default_values(plugin.params, plugin.bundle_dir));
@@ -273,14 +273,14 @@ Finding test_state(const Subject& subject) {
   return f.take();
 }
 
-// values at an end of each range, or anywhere
+// random value: at an end of the range, or inside
 swage_value random_value(const Param& p, base::Xoshiro256& random) {
   swage_value value{};
   const auto pick = [&] {
     const double low = std::max(p.min, -1e6), high = std::min(p.max, 1e6);
     const uint64_t end = random() % 4;
     double v = end == 0 ? low : end == 1 ? high : random.uniform(low, high);
-    // small things hide behind wide ranges: half of the free draws are on a logarithmic scale
+    // wide ranges would rarely give small values: half of the inner draws are on a logarithmic scale
     if (end == 2 && low > 0) v = low * std::pow(high / low, random.uniform());
     return p.type == SWAGE_PARAM_INTEGER ? std::clamp(std::round(v), std::ceil(low), std::floor(high))
                                          : std::clamp(v, low, high);
@@ -351,7 +351,7 @@ Finding test_real_time(const Subject& subject) {
   if (!counts_allocations()) return {Mark::kSkipped, say::kNoCount()};
   each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library&) {
     trial.run(kSteps);
-    if (trial.instance()->quarantined.load() != 0) return;  // a throw allocates; test "threads" tells of it
+    if (trial.instance()->quarantined.load() != 0) return;  // a throw allocates; test "threads" reports it
     if (trial.allocations() > 0)
       f.fail(say::kAllocates(plugin.id, trial.allocations(), kSteps));
   });

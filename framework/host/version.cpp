@@ -22,7 +22,7 @@ bool parse_version(std::string_view text, Version& out) {
 
 namespace {
 
-// ^: what keeps the promise of compatibility
+// ^: the range in which semantic versions are compatible
 bool compatible(const Version& have, const Version& want) {
   if (have < want || have.major != want.major) return false;
   return want.major > 0 || have.minor == want.minor;

@@ -17,7 +17,7 @@ struct Version {
 bool parse_version(std::string_view text, Version& out);
 
 /// Ranges: "^1.2" (1.2 and later, same major; below 1.0 same minor), ">=1.2", and "1.2.3" or "1.2" exactly.
-/// False in `valid` when the range cannot be read.
+/// `valid` is false when the range cannot be read.
 bool in_range(std::string_view version, std::string_view range, bool& valid);
 
 }  // namespace swage::host

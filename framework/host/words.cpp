@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* kWordsFileFormat = "swage-words/1";
-constexpr std::uintmax_t kMostBytes = 4u << 20;  // a hundred times what the largest stock plugin says
+constexpr std::uintmax_t kMostBytes = 4u << 20;  // a hundred times the texts of the largest stock plugin
 
-// The places of a sentence that stand for values, "{hold_time}", sorted.
+// The placeholders of a sentence, "{hold_time}", sorted.
 std::vector<std::string> places(std::string_view text) {
   std::vector<std::string> out;
   for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
@@ -33,7 +33,7 @@ std::vector<std::string> places(std::string_view text) {
   return out;
 }
 
-// "" or what is wrong with one translation
+// "" or the fault of one translation
 std::string fault(const std::string& key, const ordered_json& value) {
   if (!value.is_string() || value.get<std::string>().empty()) return say::kNoTranslation();
   if (places(key) != places(value.get<std::string>())) return say::kOtherPlaces();
@@ -49,7 +49,7 @@ std::string text_of(const ordered_json& file, const char* key) {
 class List {
  public:
   void add(std::string_view text) {
-    // a number, a fraction and a sign read alike in every language
+    // numbers, fractions and signs are not translated
     const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     if (std::count_if(text.begin(), text.end(), letter) < 2 || !seen_.emplace(text).second) return;
     out_.emplace_back(text);

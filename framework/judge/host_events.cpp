@@ -4,7 +4,7 @@
 namespace swage::judge {
 
 uint32_t declare_host_events(Script& script) {
-  // already there?
+  // present already?
   for (uint32_t i = 0; i < script.events.size(); ++i)
     if (script.events[i].owner == kHostOwner) return i;
 

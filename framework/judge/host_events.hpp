@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Events that the host itself tells of, in every scene, beside those that couplings and lessons declare.
+// Events that the host itself reports, in every scene, in addition to those that couplings and lessons declare.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ enum HostEvent : uint32_t {
   kObjectReset,          // "host.reset"; value: index of the object
   kMomentMarked,         // "host.mark"; value: ordinal of the mark
   kTimeLost,             // "host.gap"; value: steps that were never executed
-  kForceStopped,         // "host.force_stopped"; value: why, session::ForceFault
+  kForceStopped,         // "host.force_stopped"; value: cause, session::ForceFault
   kSolverFellShort,      // "host.solver"; value: step; the counts are in the health of the loop
   kHandLost,             // "host.hand_lost"; value: index of the device
-  kHandBack,             // "host.hand_back"; value: s that the lesson waited
+  kHandBack,             // "host.hand_back"; value: s for which the lesson waited
   kHostEventCount
 };
 

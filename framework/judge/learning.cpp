@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// A curve that has not come half-way after twice the attempts cannot be told from a line, whose level is anywhere.
+// A curve that has not come half-way after twice the attempts cannot be distinguished from a line, whose level is undetermined.
 constexpr double kSlowest = 2.0;  // c over the number of attempts
 constexpr double kQuickest = 0.2, kFlattest = 0.05, kSteepest = 4.0;
-constexpr int kGrid = 48;  // start values of c; a fit with fewer falls into a side minimum now and then
+constexpr int kGrid = 48;  // start values of c; with fewer the fit sometimes ends in a local minimum
 
 struct Points {
   std::vector<double> n, y;
@@ -28,7 +28,7 @@ struct Line {
   double a = 0, b = 0, rss = kInfinity;
 };
 
-// For a given c both laws are straight lines in a and b.
+// For a given c both laws are linear in a and b.
 Line fit_line(Law law, const Points& p, double c) {
   const double count = static_cast<double>(p.y.size());
   double g1 = 0, y1 = 0, gg = 0, gy = 0;
@@ -53,7 +53,7 @@ Line fit_line(Law law, const Points& p, double c) {
   return out;
 }
 
-// The same with the level a held.
+// Residual sum of squares of the best b for a given level a.
 double rss_at_level(Law law, const Points& p, double a, double c) {
   double gg = 0, gy = 0, rss = 0;
   for (std::size_t i = 0; i < p.y.size(); ++i) {
@@ -69,7 +69,7 @@ double rss_at_level(Law law, const Points& p, double a, double c) {
   return rss;
 }
 
-// The c of the least sum of squares: the best of a grid, even in log c, then golden section about it.
+// The c with the least sum of squares: the best of a grid, uniform in log c, then golden section about it.
 template <class Rss>
 double best_c(double low, double high, const Rss& rss) {
   const double step = std::log(high / low) / (kGrid - 1);
@@ -112,14 +112,14 @@ double t_quantile(double within, int dof) {
   return 0.5 * (low + high);
 }
 
-// Profile likelihood: the levels a for which the best curve is not significantly worse than the best of all. It needs no
-// derivative and follows the curvature of the laws, for which a + 2 sigma is too short.
+// Profile likelihood: the levels a for which the best curve is not significantly worse than the optimum. It needs no
+// derivatives and follows the curvature of the laws, for which the interval a +- 2 sigma is too short.
 double level_bound(Law law, const Points& p, double a, double allowed, double range, double low, double high, double side) {
   const auto worse = [&](double level) {
     const double c = best_c(low, high, [&](double at) { return rss_at_level(law, p, level, at); });
     return rss_at_level(law, p, level, c) > allowed;
   };
-  constexpr double kFar = 64;  // of the range of the values: nobody has that many
+  constexpr double kFar = 64;  // in ranges of the values: the bound counts as infinite beyond
   double inside = 0, outside = range / 64;
   while (!worse(a + side * outside)) {
     inside = outside;
@@ -164,7 +164,7 @@ Curve fit_curve(Law law, std::span<const double> values, std::span<const double>
   out.a = line.a;
   out.b = line.b;
   out.spread = std::sqrt(line.rss / dof);
-  constexpr double k = 4;  // a, b, c and the spread
+  constexpr double k = 4;  // number of parameters: a, b, c and the spread
   out.aicc = n * std::log(line.rss / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
   out.half_way = exponential ? out.c * std::numbers::ln2 : std::exp2(1 / out.c) - 1;
   const auto [least, most] = std::minmax_element(p.y.begin(), p.y.end());
@@ -174,7 +174,7 @@ Curve fit_curve(Law law, std::span<const double> values, std::span<const double>
     out.b = out.spread = 0;
     return out;
   }
-  // what rounding leaves of an exact curve is no worse fit
+  // rounding errors of an exact curve must not count as a worse fit
   const double allowed = line.rss * (1 + t * t / dof) + 1e-24 * range * range * n;
   out.low = level_bound(law, p, out.a, allowed, range, low, high, -1);
   out.high = level_bound(law, p, out.a, allowed, range, low, high, +1);
@@ -211,7 +211,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 Band expert_band(std::span<const std::vector<double>> experts) {
-  constexpr double kAtypical = 1.96;  // standard deviations, as of a benchmark of experts (doi:10.1111/ans.14474)
+  constexpr double kAtypical = 1.96;  // standard deviations, as in a benchmark of experts (doi:10.1111/ans.14474)
   Band out;
   std::vector<double> all, means;
   std::vector<std::size_t> who;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Metrics of an attempt, as limits and scales take them. [any]
+// Metrics of an attempt, in the form for limits and scales. [any]
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace swage::judge {
 
-/// Of a list of anything that has an id and a value.
+/// From a list of any type with an id and a value.
 template <class List>
 std::vector<std::pair<std::string, double>> metrics_of(const List& list) {
   std::vector<std::pair<std::string, double>> out;

@@ -9,11 +9,11 @@
 namespace swage::judge {
 namespace {
 
-// Which attempts of a day count: those after the warm-up, up to the cap.
+// Selects the attempts of a day that count: those after the warm-up, up to the limit per day.
 class Day {
  public:
   explicit Day(const PassRule& rule) : rule_(rule) {}
-  /// Number of this attempt among those of its day that count, from 1 on; 0 for one that does not.
+  /// Number of this attempt among the counting ones of its day, from 1; 0 for one that does not count.
   uint32_t place(int32_t day) {
     if (first_ || day != day_) done_ = 0;
     first_ = false;
@@ -104,7 +104,7 @@ Standing standing(const PassRule& rule, std::span<const Scored> attempts) {
   Day day(rule);
   Streak streak(rule);
   const CusumWeights w = lc_cusum_weights(rule.adequate, rule.inadequate);
-  double relapse = 0;  // the same likelihood ratio read the other way: evidence for failing
+  double relapse = 0;  // CUSUM of the opposite likelihood ratio: evidence for failing
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     const Scored& a = attempts[i];
     const uint32_t place = day.place(a.day);

@@ -13,7 +13,7 @@ std::optional<double> told(Metrics metrics, const std::string& id) {
   return std::nullopt;
 }
 
-// mean share of the way from `worst` to `best`
+// mean position between `worst` (0) and `best` (1)
 std::optional<double> share(const RatingItem& item, Metrics metrics) {
   double sum = 0;
   std::size_t count = 0;

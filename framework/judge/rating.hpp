@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rating scales of surgeons: each item from what was measured, where the state of a scene can decide it. Pure functions of what is
-// given. [any]
+// Rating scales of surgeons: each item is computed from metrics, where the state of a scene can decide it. Pure
+// functions. [any]
 #pragma once
 
 #include <optional>
@@ -19,36 +19,36 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 /// The text in `language`, else the English one.
 const std::string& said_in(const Words& words, const std::string& language);
 
-/// A metric as a part of an item: the top of the scale at `best`, the bottom at `worst`, linear between them. In its SI unit.
+/// A metric as a part of an item: top of the scale at `best`, bottom at `worst`, linear between them. In its SI unit.
 struct RatedBy {
   std::string metric, unit;
   double best = 0, worst = 1;
 };
 
-/// An item is the mean of its metrics; without any, it is left to an observer.
+/// An item is the mean of its metrics; without metrics it is left to an observer.
 struct RatingItem {
   std::string id;
   Words title;
   std::vector<RatedBy> by;
-  bool is_product = false;  // of what is made: the bottom of the scale where the attempt failed
+  bool is_product = false;  // rates the product: bottom of the scale where the attempt failed
 };
 
 struct RatingScale {
   std::string id, source;
   Words title;
   double lowest = 1, highest = 5;  // of each item
-  std::vector<std::string> needs;  // metrics without which the scale says nothing of an attempt
+  std::vector<std::string> needs;  // metrics without which the scale does not apply to an attempt
   std::vector<RatingItem> items;
 };
 
-/// What a scale says of one attempt.
+/// Rating of one attempt.
 struct Rating {
-  std::vector<std::optional<double>> item;  // as RatingScale::items; nothing: the attempt does not decide it
+  std::vector<std::optional<double>> item;  // as RatingScale::items; empty: the attempt does not decide the item
   std::size_t decided = 0;
   double mean = 0;  // over the decided items; 0 when there are none
 };
 
-/// A metric that an attempt does not have, or that is not a number, decides nothing. `passed`: the attempt's own verdict.
+/// A missing metric, or one that is not a number, decides nothing. `passed`: the attempt's own verdict.
 Rating rate(const RatingScale& scale, Metrics metrics, bool passed);
 
 }  // namespace swage::judge

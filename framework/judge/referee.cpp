@@ -8,7 +8,7 @@
 namespace swage::judge {
 
 namespace {
-// events of one lesson in one step; normal is 0 to 3; more than this are dropped and count as the lesson's
+// limit of the events of a lesson in one step; usual are 0 to 3; further ones are dropped and count as the lesson's
 // mistake
 constexpr std::size_t kMaxEventsPerStep = 64;
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Takes what a lesson says while it observes, and keeps the running verdict of the attempt.
+// Takes the reports of a lesson while it observes, and keeps the running verdict of the attempt.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace swage::judge {
 
-/// Which of the script's names belong to the lesson: it counts its own from 0.
+/// Range of the script's names that belong to the lesson: it counts its own from 0.
 struct Owned {
   uint32_t first = 0, count = 0;
 };
 
 /// Built on [main]; everything else on [rt] and wait-free. An index out of range or a number that is not
-/// finite is the lesson's mistake: it changes nothing and is counted.
+/// finite is a mistake of the lesson: it changes nothing and is counted.
 class Referee {
  public:
   Referee() = default;
@@ -26,22 +26,22 @@ class Referee {
   /// Sizes the verdict for a script. `object_count`: objects of the scene. [main]
   void prepare(const Script&, Owned metric, Owned cue, Owned event, Owned phase, uint32_t object_count);
 
-  /// Forgets everything that was said. [rt]
+  /// Clears the verdict. [rt]
   void clear() noexcept;
 
-  /// The table to pass to observe(); what is said through it carries this step number. [rt]
+  /// The table to pass to observe(); reports through it get this step number. [rt]
   const swage_verdict* begin(uint64_t step) noexcept;
 
-  /// Ends the attempt from outside, e.g. void. The first end stays. [rt]
+  /// Ends the attempt from outside, e.g. as void. The first end is kept. [rt]
   void finish(Outcome, double score, uint32_t reason, uint64_t step) noexcept;
 
   const Verdict& verdict() const noexcept { return verdict_; }
   uint64_t mistakes() const noexcept { return mistakes_; }
 
-  /// Events said since begin(), in order; global indices.
+  /// Events reported since begin(), in order; global indices.
   const std::vector<Event>& events() const noexcept { return events_; }
 
-  /// To put a saved verdict of the same script back; sizes stay as they are. [main or rt, between steps]
+  /// For restoring a saved verdict of the same script; sizes do not change. [main or rt, between steps]
   Verdict& saved() noexcept { return verdict_; }
 
  private:
@@ -53,7 +53,7 @@ class Referee {
   static void on_phase(const swage_verdict*, uint32_t phase);
   static void on_finish(const swage_verdict*, int32_t passed, double score, uint32_t reason);
 
-  bool owns(const Owned& range, uint32_t index) noexcept;  // counts the mistake when not
+  bool owns(const Owned& range, uint32_t index) noexcept;  // counts the mistake otherwise
 
   swage_verdict table_{};
   Owned metric_, cue_, event_, phase_;

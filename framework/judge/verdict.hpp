@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lessons say: names are declared once, numbers flow while stepping.
+// Reports of lessons: names are declared once, numbers are passed while stepping.
 #pragma once
 
 #include <swage/abi/lesson.h>
@@ -16,7 +16,7 @@ struct Name {
   std::string owner, id, unit, doc;
 };
 
-/// Something that happened in a step. `event` indexes Script::events.
+/// An event of a step. `event` indexes Script::events.
 struct Event {
   uint64_t step = 0;
   uint32_t event = 0;
@@ -26,7 +26,7 @@ struct Event {
 
 enum class Outcome : uint32_t { kRunning, kPassed, kFailed, kVoid, kAborted };
 
-/// Everything a scene can say, fixed at activation.
+/// All names that a scene declares, fixed at activation.
 struct Script {
   std::vector<Name> signals, metrics, cues, events, phases;
   struct Mark {

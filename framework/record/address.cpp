@@ -16,7 +16,7 @@ struct Span {
   std::size_t first = std::string_view::npos, size = 0;
 };
 
-// Between the first colon behind the scheme and the last @: a password that was not encoded may hold any sign.
+// Between the first colon after the scheme and the last @: a password that was not encoded may contain any character.
 Span password_of_user(std::string_view where) {
   const std::size_t start = where.find(kSeparator) + kSeparator.size();
   const std::size_t at = where.rfind('@');
@@ -67,7 +67,7 @@ std::string address_problem(std::string_view where) {
 std::string shown(std::string_view where) {
   if (scheme(where).empty()) return std::string(where);
   std::string out(where);
-  // the query first: it stands behind the user, so that the places of the user stay as they are
+  // the query first: it comes after the user, whose position then does not change
   for (const Span secret : {password_of_query(where), password_of_user(where)})
     if (secret.first != std::string_view::npos) out.replace(secret.first, secret.size, kHidden);
   return out;

@@ -12,15 +12,15 @@
 namespace swage::record {
 namespace {
 
-// The text about the loop has some 1 000 characters and is parsed for what it says about lost time. One that health_json() began
-// with "nothing dropped, no forces off" says nothing and stays where it is; any other is read whole.
+// The text about the loop has some 1 000 characters and is parsed for lost time. A text that health_json() began
+// with "nothing dropped, no forces off" has no lost time and is not transferred; any other is read completely.
 constexpr const char* kHealth =
     "CASE WHEN a.loop_health LIKE '{\"dropped\":0,\"executed\":%,\"forces_off_s\":0.0,%' THEN '' ELSE a.loop_health END";
 
 constexpr std::size_t kColumns = 25;  // of select_attempts(true)
 
-// A row of a server bears the number of the transaction that wrote it (xmin), and a transaction that was not seen by an earlier
-// look is not older than the oldest one that ran then. Numbers have 32 bits and wrap: age() compares them as the server does.
+// A row of a server has the number of the transaction that wrote it (xmin), and a transaction that an earlier query did not
+// see is not older than the oldest one that ran then. Numbers have 32 bits and wrap: age() compares them as the server does.
 std::string changed_since_mark() {
   std::string out;
   for (const char* table : {"a", "s", "p", "n", "v", "r"})
@@ -28,7 +28,7 @@ std::string changed_since_mark() {
   return " WHERE " + out;
 }
 
-// One statement sees one state: what is new in it, how many attempts there are, and the next mark (the last two columns).
+// One statement sees one state: the new rows, the number of attempts, and the next mark (the last two columns).
 std::string select_changed(bool all) {
   const std::string mark = all ? "" : ", age(CAST(CAST(? AS TEXT) AS xid)) AS age";
   const std::string which = all ? "" : changed_since_mark();
@@ -37,7 +37,7 @@ std::string select_changed(bool all) {
          " LEFT JOIN LATERAL (" + select_attempts(true) + which + ") h ON TRUE";
 }
 
-// the low 32 bits of a transaction's number, as columns have them
+// the low 32 bits of a transaction's number, as in xmin
 std::string low_bits(const std::string& number) {
   return std::to_string(std::strtoull(number.c_str(), nullptr, 10) & 0xffffffffull);
 }
@@ -104,8 +104,8 @@ bool AttemptHeads::renew() {
   return false;
 }
 
-// SQLite counts the commits of other connections (data_version) and the rows that this one has changed. The mark is asked for before
-// the rows: what is committed in between is read twice.
+// SQLite counts the commits of other connections (data_version) and the rows that this one has changed. The mark is read before
+// the rows: rows committed in between are read twice.
 bool AttemptHeads::renew_file() {
   std::vector<Row> mark;
   if (!db_.on_postgres()) {
@@ -141,7 +141,7 @@ bool AttemptHeads::renew_server() {
   const bool read = db_.each(select_changed(first), values, [&](const Row& r) {
     n = integer(r[kColumns]);
     mark = text(r[kColumns + 1]);
-    if (text(r[0]).empty()) return true;  // nothing is new
+    if (text(r[0]).empty()) return true;  // no new rows
     ++rows_read_;
     changed = true;
     put(attempt_from(r));
@@ -169,7 +169,7 @@ void AttemptHeads::put(AttemptRow row) {
     all_[at->second] = std::move(row);
 }
 
-// Erased attempts leave no row that could be new.
+// Removes erased attempts, which leave no new rows.
 bool AttemptHeads::forget_missing() {
   std::unordered_set<std::string> there;
   if (!db_.each("SELECT attempt_id FROM attempt", {}, [&](const Row& r) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The attempts of a store without their metrics, kept between calls and renewed by what was written since: a list of everybody is
-// asked for at each visit of a page, and on a server with many stations reading all of it anew took a second.
-// Threads: as the Database that it reads.
+// A cache of the attempts of a store without their metrics, updated by what was written since: pages query the list of all attempts
+// at each visit, and on a server with many stations reading all of it took a second.
+// Threads: those of the Database that it reads.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace swage::record {
 
-/// Columns and joins of one attempt's row for attempt_from(); conditions are appended. `school`: with what tables of version 4 say.
+/// Columns and joins of one attempt's row for attempt_from(); conditions are appended. `school`: includes tables of version 4.
 std::string select_attempts(bool school);
 AttemptRow attempt_from(const Row&);
 /// Newest first.
@@ -23,15 +23,15 @@ void sort_attempts(std::vector<AttemptRow>&);
 
 class AttemptHeads {
  public:
-  /// Both as of the store's; `db` outlives it.
+  /// Arguments as in the store; `db` outlives this object.
   AttemptHeads(Database& db, bool school) : db_(db), school_(school) {}
 
-  /// Reads what was written since the last call, by whomever: new attempts, ends, decisions, names, other persons, erasures.
-  /// False: the database gave an error, and what is known is forgotten.
+  /// Reads what any program has written since the last call: new attempts, ends, decisions, names, other persons, erasures.
+  /// False: the database gave an error, and the cache is cleared.
   bool renew();
   /// Newest first, as of the last renew().
   const std::vector<AttemptRow>& all() const { return all_; }
-  /// Rows that renew() has read since the beginning.
+  /// Number of rows that renew() has read so far.
   uint64_t rows_read() const { return rows_read_; }
 
  private:
@@ -44,9 +44,9 @@ class AttemptHeads {
   Database& db_;
   const bool school_;
   std::vector<AttemptRow> all_;
-  std::unordered_map<std::string, std::size_t> place_;  // of an attempt in all_, by id
-  std::vector<Row> file_mark_;  // SQLite: what changes with each commit
-  std::string server_mark_;     // PostgreSQL: the oldest transaction that was still running; "" before the first call
+  std::unordered_map<std::string, std::size_t> place_;  // index of an attempt in all_, by id
+  std::vector<Row> file_mark_;  // SQLite: values that change with each commit
+  std::string server_mark_;     // PostgreSQL: the oldest transaction still running at the last call; "" before the first call
   uint64_t rows_read_ = 0;
 };
 

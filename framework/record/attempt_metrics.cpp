@@ -4,8 +4,8 @@
 namespace swage::record {
 namespace {
 
-constexpr std::size_t kMostKept = 6000;  // attempts; 30 metrics each are some 20 MB. A larger school is read again now and then
-constexpr std::size_t kFew = 8;          // attempts that are asked for one by one; more cost less in one statement
+constexpr std::size_t kMostKept = 6000;  // attempts; 30 metrics each take some 20 MB. In a larger school some are read again
+constexpr std::size_t kFew = 8;          // attempts that are queried one by one; more are cheaper in one statement
 
 std::string stamp(const AttemptRow& a) { return a.state + "|" + a.ended_utc; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Metrics of attempts, kept between calls: those of an attempt that has ended do not change any more, and each visit of a page asks
-// for the same ones. Threads: as the Database that it reads.
+// A cache of the metrics of attempts: those of an ended attempt do not change any more, and each visit of a page queries
+// the same ones. Threads: those of the Database that it reads.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ class AttemptMetrics {
  public:
   explicit AttemptMetrics(Database& db) : db_(db) {}
 
-  /// Fills in the metrics of these rows. `which`, `values`: the condition that chose them, over the tables attempt a, session s,
+  /// Fills in the metrics of these rows. `which`, `values`: the condition that selected them, over the tables attempt a, session s,
   /// person p. False: the database gave an error.
   bool fill(std::vector<AttemptRow>& rows, const std::string& which, const Row& values);
 
  private:
   struct Known {
-    std::string as_of;  // what the attempt said of itself then: one that was cut off may still be completed from its journal
+    std::string as_of;  // state of the attempt at that time: an interrupted one may still be completed from its journal
     std::vector<MetricValue> metrics;
   };
   bool read_one(AttemptRow& row);

@@ -32,7 +32,7 @@ struct Statement {
 const Statement& statement(Kind kind) {
   // the order is that of Kind
   static const Statement kStatements[kKinds] = {
-      // a person is known by the code, or by the name that an instructor gave
+      // a person is identified by the code, or by the name that an instructor gave
       {"INSERT INTO person (person_id, pseudonym, created_utc) SELECT w.id, w.name, w.utc FROM"
        " (SELECT CAST(? AS TEXT) AS id, CAST(? AS TEXT) AS name, CAST(? AS TEXT) AS utc) w"
        " WHERE NOT EXISTS (SELECT 1 FROM roster n WHERE n.display_name = w.name) ON CONFLICT DO NOTHING",
@@ -81,7 +81,7 @@ const Statement& statement(Kind kind) {
   return kStatements[static_cast<std::size_t>(kind)];
 }
 
-// one sitting: all attempts of one person in one run of the program
+// session: all attempts of one person in one run of the program
 std::string session_of(const std::string& person) {
   static std::mutex mutex;
   static std::map<std::string, std::string> sessions;
@@ -122,7 +122,7 @@ std::string health_json(const snapshot::LoopHealth& h, double forces_off_s) {
   return out.dump();
 }
 
-// reads what to_json wrote; anything else is refused, whatever it is
+// reads the output of to_json; any other text is refused
 template <class Read>
 bool parse(const std::string& text, const Read& read) {
   try {
@@ -133,7 +133,7 @@ bool parse(const std::string& text, const Read& read) {
   }
 }
 
-// Which calibrations an attempt carries, of which sensor and day, and how far the fit is off.
+// Calibrations of an attempt: sensor, date, and residual of the fit.
 std::string calibrations_json(const std::vector<FileInfo>& files) {
   json out = json::array();
   for (const FileInfo& f : files) {
@@ -253,7 +253,7 @@ Batch end_rows(const std::string& attempt_id, const AttemptInfo& info, const Att
   return out;
 }
 
-// one step in twenty left out is noticed by nobody
+// one omitted step in twenty is not perceptible
 std::string remark(const std::string& loop_health, bool realtime, int64_t steps_missing) {
   constexpr double kSlow = 0.95;
   std::string out;

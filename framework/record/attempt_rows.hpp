@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is written about an attempt, as rows that mean the same in the store, in an exported file and in the
-// fallback journal. Every row can be written twice without harm.
+// The records of an attempt, as rows with the same meaning in the store, in an exported file and in the
+// fallback journal. Writing a row twice has no further effect.
 #pragma once
 
 #include <cstdint>
@@ -42,20 +42,20 @@ using Batch = std::vector<Write>;
 /// Number of values of a row of this kind.
 std::size_t arity(Kind);
 bool write(Database&, const Write&);
-/// All or nothing, in one transaction.
+/// Writes all rows or none, in one transaction.
 bool write_batch(Database&, const Batch&);
 
 /// Columns of the attempt table in the order of a kAttempt row.
 extern const char* const kAttemptColumns;
 
-/// Person, session, device, the attempt itself, "running", its hands and its files.
+/// Person, session, device, the attempt itself in state "running", its hands and its files.
 Batch attempt_rows(const std::string& attempt_id, const AttemptInfo&);
-/// Lesson version, class of input, calibration: where the numbers come from. Part of attempt_rows().
+/// Lesson version, class of input, calibration: origin of the numbers. Part of attempt_rows().
 Write provenance_row(const std::string& attempt_id, const AttemptInfo&);
 /// Metrics and the end of the attempt.
 Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);
 
-/// What limits the value of an attempt's numbers (slow machine, forces off, steps not recorded), from its columns; "" for nothing.
+/// Limits of the validity of an attempt's numbers (slow machine, forces off, steps not recorded), from its columns; "" for none.
 std::string remark(const std::string& loop_health, bool realtime, int64_t steps_missing);
 
 // The parts of an attempt row that are JSON text.

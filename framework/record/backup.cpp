@@ -18,7 +18,7 @@
 namespace swage::record {
 namespace {
 
-// Every table with the one that it refers to before it.
+// All tables, each after those that it refers to.
 constexpr const char* kTables[] = {"erased",  "person", "session", "attempt",     "metric", "event", "chunk",
                                    "hand",    "file",   "device",  "calibration", "outbox", "seal",  "grade",
                                    "provenance", "note", "ruling", "rating", "people_group", "roster", "lesson_version", "course",
@@ -27,14 +27,14 @@ constexpr const char* kTables[] = {"erased",  "person", "session", "attempt",   
 struct Table {
   std::string name, columns, places, key;
   std::vector<std::string> column;
-  // -1 when there is none of that name
+  // -1 when there is no such column
   int index(const std::string& what) const {
     const auto found = std::find(column.begin(), column.end(), what);
     return found == column.end() ? -1 : static_cast<int>(found - column.begin());
   }
 };
 
-// The column that names a person, whom two stations may know by two identifiers.
+// The column that refers to a person, who may have two identifiers from two stations.
 int person_column(const Table& table) {
   if (table.name == "person") return -1;
   return table.name == "assignment" ? table.index("who_id") : table.index("person_id");
@@ -53,7 +53,7 @@ Table table_of(Database& model, const std::string& name) {
   return out;
 }
 
-// The rows of a table, those that name a person with its code as a further column.
+// The rows of a table; for rows that refer to a person, with its code as a further column.
 std::string select(const Table& table) {
   const int person = person_column(table);
   if (person < 0) return "SELECT " + table.columns + " FROM " + table.name + " ORDER BY " + table.key;
@@ -64,7 +64,7 @@ std::string select(const Table& table) {
          " ORDER BY t." + table.key;
 }
 
-// What was erased for good stays so: neither side of a copy brings back what the other has erased.
+// Erased rows stay erased: a copy brings nothing back that either side has erased.
 class Erased {
  public:
   bool load(Database& to) {
@@ -74,7 +74,7 @@ class Erased {
     }
     return to.each("SELECT erased_id FROM erased", {}, [&](const Row& r) { return ids_.insert(text(r[0])).second || true; });
   }
-  /// Whether a row is of something erased; what refers to it is, too.
+  /// True for a row that belongs to something erased; rows that refer to it are then erased too.
   bool has(const Table& table, const Row& row) {
     if (table.name == "erased") return false;
     for (const char* what : {"person_id", "session_id", "attempt_id", "who_id"}) {
@@ -90,7 +90,7 @@ class Erased {
   std::set<std::string> ids_;
 };
 
-// Two stations may know one person by two identifiers: the code decides, and what names the person follows it.
+// Two stations may know one person by two identifiers: the code decides, and references to the person are changed accordingly.
 bool put(Database& to, const Table& table, Row row) {
   const int person = person_column(table);
   if (person >= 0) {
@@ -109,7 +109,7 @@ uint64_t count(Database& db, const std::string& table) {
   return rows.empty() ? 0 : static_cast<uint64_t>(integer(rows[0][0]));
 }
 
-// One transaction on either side: what is read is one moment, what is written is all or nothing.
+// One transaction on either side: a consistent snapshot is read, and all rows or none are written.
 bool copy_all(Database& from, Database& to, std::string& error) {
   // an earlier version has fewer tables
   const int version = schema_version(from);
@@ -138,7 +138,7 @@ bool copy_all(Database& from, Database& to, std::string& error) {
   return false;
 }
 
-// Both sides have the same number of rows everywhere, and the copy's pages are whole.
+// Checks that the copy has no more rows than the store in any table, and that its pages are undamaged.
 bool is_same(Database& store, Database& copy, std::string& error) {
   for (const char* name : kTables) {
     if (count(copy, name) <= count(store, name)) continue;
@@ -152,7 +152,7 @@ bool is_same(Database& store, Database& copy, std::string& error) {
   return false;
 }
 
-// A backup that a power cut takes back is none.
+// Waits until the file is on disk: a backup must survive a power cut.
 bool settle_on_disk(const std::string& path, std::string& error) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   const bool good = file >= 0 && fsync(file) == 0;
@@ -190,7 +190,7 @@ bool backup_store(const std::string& store, const std::string& file, Copied& out
 }
 
 bool restore_store(const std::string& file, const std::string& store, Copied& out, std::string& error) {
-  // a backup of an earlier version is read through a copy that is brought up to date; the file itself is never changed
+  // a backup of an earlier version is read through an upgraded copy; the file itself is never changed
   const std::unique_ptr<Database> from = open_for_reading(file, error);
   if (!from) return false;
   const std::unique_ptr<Database> to = open_store(store, error);

@@ -92,7 +92,7 @@ void ChunkBuffer::add(const StepRecord& record) {
   hash_.push_back(record.step);
   hash_.push_back(record.hash);
 
-  // every step has the same columns, whatever a record claims
+  // every step has the same columns, even if a record differs
   const std::size_t devices = std::min<std::size_t>(info_.devices.size(), snapshot::kMaxDevices);
   const std::size_t first = input_.size();
   input_.resize(first + devices * kSampleWords);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A quarter of a second of an attempt, on its way from records of the step to rows of the store.
+// A quarter of a second of an attempt, between records of the step and rows of the store.
 //
 // Streams, each a table of words per step (the dictionary of its first chunk names the columns):
 //   hash     step, hash                      u64
@@ -23,16 +23,16 @@ inline constexpr const char* kCommandStream = "command";
 inline constexpr std::size_t kSampleWords = sizeof(swage_sample) / 8;
 inline constexpr std::size_t kHashWords = 2, kCommandWords = sizeof(CommandRecord) / 8;
 
-// 250 steps = 250 ms at 1 kHz: what killing the program may lose. Shorter chunks compress worse and commit
+// 250 steps = 250 ms at 1 kHz: largest loss when the program is killed. Shorter chunks compress worse and commit
 // more often.
 inline constexpr std::size_t kChunkSteps = 250;
-// a chunk that claims more rows than this was not written by us: 250 steps, or as many commands as the step's ring holds
+// limit of the rows of a valid chunk: 250 steps, or as many commands as the step's ring holds
 inline constexpr int64_t kMaxChunkRows = 4096;
 
-/// Steps whose chunks are in a batch.
+/// Number of steps whose chunks are in a batch.
 uint64_t steps_in(const Batch&);
 
-/// Threads: the writer thread alone.
+/// Threads: only the writer thread.
 class ChunkBuffer {
  public:
   ChunkBuffer(std::string attempt_id, const AttemptInfo& info);
@@ -45,7 +45,7 @@ class ChunkBuffer {
 
   std::size_t steps() const { return hash_.size() / kHashWords; }
   bool empty() const { return hash_.empty() && command_.empty() && events_.empty(); }
-  /// Everything added since the last time, packed; the buffer is empty afterwards.
+  /// Returns everything added since the last call, packed; the buffer is then empty.
   Batch take();
   uint64_t steps_lost_in_gaps() const { return lost_; }
   uint64_t next_step() const { return next_step_; }

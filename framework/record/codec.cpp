@@ -27,7 +27,7 @@ constexpr std::array<uint32_t, 256> crc_table() {
 }
 constexpr std::array<uint32_t, 256> kCrcTable = crc_table();
 
-// byte b of word i of the column-major, differenced table stands at b * count + i
+// byte b of word i of the column-major, differenced table is at b * count + i
 template <class Word>
 Blob shuffle(const Word* table, std::size_t rows, std::size_t columns) {
   const std::size_t count = rows * columns;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables of equal words, packed losslessly: each word xor the one above it (slow signals leave mostly zeros),
-// the bytes of one significance together, zstd level 1. A hand at 1 kHz shrinks about five to one, at 0.15 ms
+// Lossless packing of tables of equal words: each word xor the one above it (slow signals leave mostly zeros),
+// bytes of equal significance together, zstd level 1. A hand at 1 kHz is compressed about 5:1, at 0.15 ms
 // per quarter of a second.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Packed {
 Packed pack(const uint64_t* table, std::size_t rows, std::size_t columns);
 Packed pack(const float* table, std::size_t rows, std::size_t columns);
 
-/// The inverse. False when the data does not fit its checksum or the size; `table` is then
+/// The inverse. False when the data does not match its checksum or the size; `table` is then
 /// unspecified.
 bool unpack(int64_t codec, uint32_t crc, const Blob& data, uint64_t* table, std::size_t rows,
             std::size_t columns);

@@ -74,7 +74,7 @@ CourseStep step_from(const json& j) {
   return s;
 }
 
-// "" for a course that can be used
+// "" for a valid course
 std::string fault_of(const Course& c) {
   if (c.title.empty()) return say::kNeedsTitle();
   for (std::size_t i = 0; i < c.steps.size(); ++i) {
@@ -120,7 +120,7 @@ bool from_json(const std::string& text, Course& out, std::string& error) {
 }
 
 std::string lesson_digest(const std::string& lesson_text) {
-  // sorted keys, one form of each number; which values are drawn is the attempt's, not the lesson's
+  // sorted keys, one form of each number; the seed belongs to the attempt, not to the lesson
   nlohmann::json lesson = nlohmann::json::parse(lesson_text, nullptr, false);
   if (lesson.is_object()) lesson.erase("seed");
   const std::string canonical = lesson.is_discarded() ? lesson_text : lesson.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

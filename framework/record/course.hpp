@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A course: lessons in order, what is asked of each, and how that is proved. Plain data; school.hpp keeps it.
+// A course: lessons in order, with the requirements of each and their rule. Plain data; stored by school.hpp.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@ namespace swage::record {
 
 struct CourseStep {
   std::string lesson_id, title;
-  std::string digest;                // of the published version that is run; "": the lesson as it is today
-  std::vector<judge::Limit> limits;  // none: the lesson's own verdict is asked
+  std::string digest;                // of the published version to run; "": the lesson's present text
+  std::vector<judge::Limit> limits;  // none: the lesson's own verdict decides
   judge::PassRule rule;
-  bool is_open = false;  // may be done at any time, whatever the order
+  bool is_open = false;  // may be done at any time, independent of the order
 };
 
 struct Course {
   std::string id, title;
-  bool in_order = true;  // a step opens when the one before it is passed
+  bool in_order = true;  // a step opens when the previous one is passed
   std::vector<CourseStep> steps;
   std::string created_utc, changed_utc, published_utc, archived_utc;
 };
 
 std::string to_json(const Course&);
-/// False with a sentence for what is no course; `out` is then unspecified.
+/// False with a sentence for an invalid course; `out` is then unspecified.
 bool from_json(const std::string& text, Course& out, std::string& error);
 
 }  // namespace swage::record

@@ -21,7 +21,7 @@ bool from_json(const std::string& text, Display& out) {
   if (!j.is_object() || !j.contains("format") || j["format"] != kDisplayFormat) return false;
   try {
     out = {j.at("mode"), j.at("stereo"), j.at("eyes_swapped"), j.at("mirror"), j.at("scale"),
-           j.value("guided", false)};  // attempts of before had no guide
+           j.value("guided", false)};  // older attempts had no guide
   } catch (const nlohmann::json::exception&) {
     return false;
   }
@@ -34,7 +34,7 @@ std::string words(const Display& d) {
   if (d.eyes_swapped) out += ", eyes swapped";
   if (!d.mirror.empty()) out += ", mirrored " + d.mirror;
   if (d.scale > 0) {
-    char scale[32];  // with a point in every language
+    char scale[32];  // with a decimal point in every locale
     const auto end = std::to_chars(scale, scale + sizeof scale, d.scale, std::chars_format::general, 4).ptr;
     out += ", scale " + std::string(scale, end);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A person is erased for good: rows, recordings, names. What is left are identifiers without meaning, so that an old backup does
-// not bring the attempts back.
+// Permanent erasure of a person: rows, recordings, names. Only identifiers without meaning remain, so that an old backup does
+// not restore the attempts.
 #include "record/erase.hpp"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@
 namespace swage::record {
 namespace {
 
-// The second field of a line of our CSV; codes hold neither quotes nor commas.
+// Compares the second field of a line of our CSV; codes have neither quotes nor commas.
 bool is_line_of(const std::string& line, const std::string& code) {
   const std::size_t first = line.find(',');
   return first != std::string::npos && line.compare(first + 1, code.size() + 1, code + ",") == 0;
@@ -45,7 +45,7 @@ bool without_statements(const std::string& text, const std::string& code, std::s
   return true;
 }
 
-// The file appears whole or not at all.
+// Writes a file, which appears complete or not at all.
 bool put_file(const std::string& path, const std::string& text) {
   const std::string part = path + ".part";
   std::ofstream file(part, std::ios::binary);
@@ -96,11 +96,11 @@ bool erase_rows(Database& db, const std::string& person_id) {
                 {now, person_id}) &&
          db.run("INSERT INTO erased (erased_id, is_person, erased_utc) VALUES (?, 1, ?) ON CONFLICT DO NOTHING",
                 {person_id, now}) &&
-         // what a station last said of this person, and showed
+         // the last state and image of this person at a station
          db.run("DELETE FROM station_picture WHERE station_id IN (SELECT station_id FROM station WHERE person_id = ?)", who) &&
          db.run("UPDATE station SET person_id = '', attempt_id = '' WHERE person_id = ?", who) &&
          db.run("DELETE FROM assignment WHERE to_group = 0 AND who_id = ?", who) &&
-         // attempts, chunks, metrics, notes, rulings, the name and the list of files go with it
+         // attempts, chunks, metrics, notes, rulings, the name and the list of files are deleted with the person (cascade)
          db.run("DELETE FROM person WHERE person_id = ?", who);
 }
 

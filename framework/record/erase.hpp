@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is left of a person in files that were written from the store. [main]
+// Removal of a person from files that were written from the store. [main]
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace swage::record {
 
-/// What became of one file. `done`: nothing of the person is in it any more, or it is gone; else `sentence` says what to do.
+/// Result for one file. `done`: the file has nothing of the person any more, or is deleted; else `sentence` says what to do.
 struct Cleaned {
   bool done = false;
   std::string sentence;  // "ada.csv was deleted."
 };
 
-/// A file of this person alone is deleted; of a table, of statements and of a backup the person's part is taken out.
+/// Deletes a file of this person alone; removes the person's part of a table, of statements and of a backup.
 Cleaned erase_from_file(const ExportedFile&, const Person&);
 
 }  // namespace swage::record

@@ -26,7 +26,7 @@ std::string plugin_list(const Plugins& plugins) {
   return out;
 }
 
-// The version of the lesson plugin, which measures.
+// The version of the lesson plugin, which computes the metrics.
 std::string metric_version(const std::string& lesson_plugin, const Plugins& plugins) {
   for (const auto& [id, version] : plugins)
     if (id == lesson_plugin) return id + " " + version;
@@ -56,7 +56,7 @@ std::vector<Health> health_of(const std::string& loop_health, int64_t steps_not_
   return out;
 }
 
-// Everything but what Store::attempts gives.
+// Reads everything that Store::attempts does not give.
 bool read_details(Database& db, const Selection& which, std::map<std::string, Exported>& out) {
   const int version = schema_version(db);
   const bool school = version >= 4, files = version >= 2;
@@ -67,7 +67,7 @@ bool read_details(Database& db, const Selection& which, std::map<std::string, Ex
       (school ? " LEFT JOIN provenance v ON v.attempt_id = a.attempt_id" : "") +
       (files ? " LEFT JOIN file f ON f.attempt_id = a.attempt_id AND f.name = '" + std::string(kDisplayFile) + "'" : "") +
       " WHERE (? = '' OR s.person_id = ?) AND (? = '' OR a.exercise = ?) AND (? = '' OR a.attempt_id = ?)";
-  std::map<std::string, std::string> known;  // lesson plugin of a text: most attempts share one of a few
+  std::map<std::string, std::string> known;  // cache, lesson plugin by text: attempts have few different texts
   return db.each(sql, {which.person_id, which.person_id, which.lesson_id, which.lesson_id, which.attempt_id, which.attempt_id},
                  [&](const Row& r) {
                    Exported& e = out[text(r[0])];
@@ -152,7 +152,7 @@ std::string csv_field(const std::string& given) {
   std::string text = given;
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
-  // a number stays a number; what begins like a formula is none of ours
+  // a number is kept; other text that begins like a formula is escaped
   double ignored = 0;
   char rest = 0;
   const bool is_number = std::sscanf(text.c_str(), "%lf%c", &ignored, &rest) == 1;

@@ -15,7 +15,7 @@
 namespace swage::record {
 namespace {
 
-// Milliseconds and, in the twelve bits below, a count within each: what this process makes later is later in text order, too.
+// Milliseconds and, in the twelve bits below, a count within each: later calls of this process are later in text order, too.
 uint64_t next_moment() {
   static std::atomic<uint64_t> last{0};
   const auto since = std::chrono::system_clock::now().time_since_epoch();

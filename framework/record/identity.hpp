@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names that need no register: identifiers that two stations can never both make, times, this machine.
+// Identifiers that are unique without a central register, times, and the name of this machine.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace swage::record {
 
-/// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, 12 of a count, then random bits; text order is order of making.
+/// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, 12 of a count, then random bits; text order is order of creation.
 /// [any]
 std::string make_id();
 
-/// Whether a text has the form of such an identifier. [any]
+/// True when a text has the form of such an identifier. [any]
 bool is_id(std::string_view text);
 
-/// Now as "2025-06-01T09:30:00.125Z". [any]
+/// The present time as "2025-06-01T09:30:00.125Z". [any]
 std::string utc_now();
 
 /// The name of this machine. [any]
 std::string station();
 
-/// A short code that is easily read aloud: five letters and digits without I, L, O and U. [any]
+/// A short code that is easily read aloud: five digits and letters without I, L, O and U. [any]
 std::string make_code();
 
 }  // namespace swage::record

@@ -26,11 +26,11 @@ namespace fs = std::filesystem;
 constexpr char kMagic[8] = {'S', 'W', 'A', 'G', 'E', 'J', '1', '\n'};
 constexpr std::string_view kEnding = ".journal";
 
-// 8 MiB hold the inputs of one hand for about two minutes: time to finish and to free space. Never more than
-// an eighth of what is free, so that the reserve itself does not fill the disk.
+// 8 MiB hold the inputs of one hand for about two minutes: time to finish and to free space. At most an
+// eighth of the free space, so that the reserve itself does not fill the disk.
 constexpr uint64_t kReserve = 8u << 20;
 
-// "/folder/attempts.db-"; a server has no folder, so its journals lie with the user's own store
+// "/folder/attempts.db-"; a server has no folder, so its journals are beside the user's own store
 std::string prefix(const std::string& store) {
   if (is_postgres(store)) {
     char name[32];
@@ -43,7 +43,7 @@ std::string prefix(const std::string& store) {
   return (code ? store : whole.string()) + "-";
 }
 
-// A frame is a quarter of a second, some ten kB, or the head of an attempt with its files, 16 MiB at most.
+// A frame is a quarter of a second, some ten kB, or the head of an attempt with its files, at most 16 MiB.
 constexpr uint32_t kMostFrame = 64u << 20;
 
 void put(Blob& out, const void* data, std::size_t size) {
@@ -71,7 +71,7 @@ void put(Blob& out, const Value& value) {
   }
 }
 
-// reads forward through bytes that may be anything
+// reads forward through untrusted bytes
 class Reader {
  public:
   Reader(const uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
@@ -145,12 +145,12 @@ bool write_all(int file, const Blob& data, uint64_t offset) {
 
 std::unique_ptr<Journal> Journal::create(const std::string& store, const std::string& attempt_id) {
   const std::string path = prefix(store) + attempt_id + std::string(kEnding);
-  // the first attempt of a user finds no folder yet
+  // for the first attempt of a user there is no folder yet
   std::error_code code;
   if (fs::create_directories(fs::path(path).parent_path(), code))
     fs::permissions(fs::path(path).parent_path(), fs::perms::owner_all, code);
 
-  // locked before it has its name, so that nobody can take it for a dead program's
+  // locked before it is renamed, so that no program can take it for that of a dead one
   const std::string unnamed = path + ".new";
   const int file = ::open(unnamed.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (file < 0) return nullptr;
@@ -162,7 +162,7 @@ std::unique_ptr<Journal> Journal::create(const std::string& store, const std::st
   struct statvfs disk {};
   if (fstatvfs(file, &disk) == 0) {
     const uint64_t room = std::min<uint64_t>(kReserve, uint64_t{disk.f_bavail} * disk.f_frsize / 8);
-    // a file system that cannot reserve leaves the file as it is
+    // a file system that cannot reserve space leaves the file empty
     if (room > 0 && fallocate(file, 0, 0, static_cast<off_t>(room)) != 0) (void)ftruncate(file, 0);
   }
   return std::unique_ptr<Journal>(new Journal(file, path));
@@ -182,7 +182,7 @@ bool Journal::is_whole() const {
 void Journal::remove() { unlink(path_.c_str()); }
 
 bool Journal::append(const Batch& batch) {
-  if (batch.empty()) return true;  // a frame of no length would read as the end
+  if (batch.empty()) return true;  // a frame of length 0 would mean the end
   Blob payload;
   for (const Write& w : batch) {
     put(payload, static_cast<uint8_t>(w.kind));
@@ -199,7 +199,7 @@ bool Journal::append(const Batch& batch) {
 }
 
 bool is_recording(const std::string& store, const std::string& attempt_id) {
-  if (attempt_id.find('/') != std::string::npos) return false;  // no name of ours: nothing is looked for elsewhere
+  if (attempt_id.find('/') != std::string::npos) return false;  // not one of our names: no other folder is searched
   const std::string path = prefix(store) + attempt_id + std::string(kEnding);
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -224,7 +224,7 @@ bool merge_journal(Database& db, const std::string& path) {
   for (;;) {
     uint32_t size = 0, crc = 0;
     if (!take_from(&size, sizeof size) || !take_from(&crc, sizeof crc) || size == 0) return true;
-    // torn: what follows never was whole
+    // torn: the frame was not written completely
     if (size > left || size > kMostFrame) return true;
     Blob frame(size);
     if (!take_from(frame.data(), size) || crc32c(frame.data(), size) != crc) return true;
@@ -245,7 +245,7 @@ int merge_journals(Database& db, const std::string& store) {
     if (!entry.is_regular_file(code)) continue;
     const int file = ::open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) continue;
-    // locked: its program lives and will see to it
+    // locked by a running program, which will handle it
     if (flock(file, LOCK_EX | LOCK_NB) == 0 && merge_journal(db, entry.path().string())) {
       unlink(entry.path().c_str());
       ++merged;

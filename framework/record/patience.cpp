@@ -9,7 +9,7 @@ namespace swage::record {
 
 Patience::Patience(int socket, std::chrono::milliseconds limit) : socket_(socket), limit_(limit) {
   if (socket_ < 0) return;
-  // signals belong to the threads of the program that asked for them
+  // blocks signals in the new thread: they are for the program's other threads
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A limit on how long an answer of a server is waited for. A server whose machine has frozen keeps its connections open, and its
-// driver would wait for ever: when the limit has passed the connection is shut down, and the waiting call returns with an error.
+// A timeout for the answers of a server. A server whose machine has frozen keeps its connections open, and its
+// driver would wait for ever: after the timeout the connection is shut down, and the waiting call returns with an error.
 #pragma once
 
 #include <chrono>
@@ -13,15 +13,15 @@ namespace swage::record {
 
 class Patience {
  public:
-  /// `socket`: of the connection, -1 when it is not known; then nothing is ever shut down.
+  /// `socket`: of the connection, -1 when unknown; then nothing is ever shut down.
   Patience(int socket, std::chrono::milliseconds limit);
   ~Patience();
   Patience(const Patience&) = delete;
   Patience& operator=(const Patience&) = delete;
 
   void begin();           // a call to the server starts
-  void end();             // it has come back
-  bool at_an_end() const;  // the connection has been shut down
+  void end();             // the call has returned
+  bool at_an_end() const;  // true when the connection has been shut down
 
  private:
   void watch();

@@ -20,7 +20,7 @@ std::string lower(std::string s) {
   return s;
 }
 
-// Fields of one line: RFC 4180 without line ends in fields. Spreadsheets of half the world separate by semicolon or tab.
+// Fields of one line: RFC 4180 without line ends in fields. Many spreadsheets separate by semicolon or tab.
 std::vector<std::string> fields_of(const std::string& line, char separator) {
   std::vector<std::string> out(1);
   bool quoted = false;
@@ -47,7 +47,7 @@ char separator_of(const std::string& line) {
 
 const std::vector<std::string> kPeopleColumns = {"name", "code", "handedness", "group"};
 
-// Which column is what; empty when the line is no head.
+// Meaning of each column; empty when the line is not a head.
 bool read_head(const std::vector<std::string>& fields, std::vector<std::string>& columns, std::string& error) {
   const auto is_column = [](const std::string& f) { return std::find(kPeopleColumns.begin(), kPeopleColumns.end(), lower(f)) != kPeopleColumns.end(); };
   if (!std::any_of(fields.begin(), fields.end(), [](const std::string& f) { return lower(f) == "name"; })) return true;

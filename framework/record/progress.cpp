@@ -15,8 +15,8 @@ bool is_of(const CourseStep& step, const AttemptRow& a) {
   return a.lesson_id == step.lesson_id && (step.digest.empty() || a.lesson_digest == step.digest);
 }
 
-// A machine that was too slow, forces that were off and steps that are missing bend times, speeds and forces: such an attempt proves
-// nothing, unless somebody who has looked at it says that it counts.
+// A machine that was too slow, forces that were off and missing steps distort times, speeds and forces: such an attempt does not
+// count, unless an instructor has ruled that it counts.
 bool is_sound(const AttemptRow& a) { return !a.is_void && (a.remark.empty() || !a.void_by.empty()); }
 
 StepStanding stand(const CourseStep& step, std::span<const AttemptRow* const> oldest_first) {

@@ -31,14 +31,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// 4 s of steps: a commit took at most 0.25 s when measured, a locked store gives up after 2 s. Smaller rings
+// 4 s of steps: the longest measured commit took 0.25 s, a locked store times out after 2 s. Smaller rings
 // make gaps.
 constexpr std::size_t kStepRing = 4096;
 constexpr std::size_t kEventRing = 4096;
 constexpr std::size_t kCommandRing = 1024;
-// 10 ms between looks at the rings; 250 ms until a chunk is closed although it is not full
+// 10 ms between polls of the rings; 250 ms until a chunk is closed before it is full
 constexpr std::chrono::milliseconds kWake{10}, kOldest{250};
-// the writer must never take the processor from the step (nice, -20..19)
+// the writer must never delay the step (nice, -20..19)
 constexpr int kNice = 5;
 
 class FileRecorder final : public Recorder {
@@ -47,18 +47,18 @@ class FileRecorder final : public Recorder {
       : store_(std::move(store)), id_(make_id()), info_(info), buffer_(id_, info_) {}
 
   ~FileRecorder() override {
-    // not finished: the attempt stays "running" and becomes "recovered", which is what happened
+    // not finished: the attempt stays "running" and later becomes "recovered", as is right
     if (thread_.joinable()) end_thread();
   }
 
   bool start(base::Problems& problems) {
     journal_ = Journal::create(store_, id_);
-    // Qt takes the first thread that it meets for that of the program, and destroys what belongs to it at the exit: it must not be the
-    // writer's, whose data are freed before
+    // Qt takes the first thread that it sees for the main thread, and destroys objects of that thread at exit: it must not be the
+    // writer thread, whose data are freed earlier
     QThread::currentThread();
     std::future<bool> opened = opened_.get_future();
 
-    // signals belong to the threads of the program that asked for them
+    // blocks signals in the writer thread: they are for the program's other threads
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -110,7 +110,7 @@ class FileRecorder final : public Recorder {
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return;
       }
-      // without a clock nobody is late: wait for the writer, so that nothing is lost
+      // not real time: waits for the writer, so that nothing is lost
       const timespec moment{0, 100'000};
       nanosleep(&moment, nullptr);
     }
@@ -130,7 +130,7 @@ class FileRecorder final : public Recorder {
     problems_.push_back({severity, std::string(kRecordPlace) + shown(store_), message});
   }
 
-  // what may be over by the end of the attempt; anything else is for a person to decide
+  // causes that may be gone by the end of the attempt; others need a person's decision
   static bool may_go_on_without(Trouble why) {
     return why == Trouble::kLocked || why == Trouble::kFull || why == Trouble::kUnreachable;
   }
@@ -190,7 +190,7 @@ class FileRecorder final : public Recorder {
 
   void commit() { keep(buffer_.take(), false); }
 
-  // the end of an attempt is small: it is tried even where a chunk found no room
+  // the end of an attempt is small: it is written even after a chunk found no space
   void keep(const Batch& batch, bool is_end) {
     if (batch.empty() || (db_ && write_batch(*db_, batch))) return;
     if (db_) fall_back(db_->trouble(), db_->error());
@@ -215,8 +215,8 @@ class FileRecorder final : public Recorder {
     }
   }
 
-  // From here on the rest of the attempt goes beside the store, its head repeated so that the file stands alone. The words of the
-  // failure are taken by value: those of the connection end with it.
+  // Writes the rest of the attempt to the journal, with its head repeated so that the file is self-contained. `error` is taken by
+  // value: the text of the connection ends with it.
   bool fall_back(Trouble why, const std::string error) {
     db_.reset();
     healthy_.store(false, std::memory_order_relaxed);
@@ -235,7 +235,7 @@ class FileRecorder final : public Recorder {
     return true;
   }
 
-  // what belongs to it goes with it; the journal of an attempt that was never begun holds nothing else
+  // dependent rows are deleted with the attempt; the journal has nothing else
   void forget() {
     if (db_) db_->run("DELETE FROM attempt WHERE attempt_id = ?", {id_});
     if (journal_) journal_->remove();
@@ -250,7 +250,7 @@ class FileRecorder final : public Recorder {
     const uint64_t lost = dropped() - std::min(dropped(), buffer_.steps_lost_in_gaps());
     if (lost > 0) buffer_.gap(buffer_.next_step(), "records", lost);
     Batch end = buffer_.take();
-    // a finished attempt survives a power cut: this one commit waits for the disk
+    // a finished attempt survives a power cut: this one commit is synchronous
     if (finished_) {
       for (Write& w : end_rows(id_, info_, end_, dropped())) end.push_back(std::move(w));
       if (db_ && !db_->on_postgres()) db_->run("PRAGMA synchronous = FULL");
@@ -266,12 +266,12 @@ class FileRecorder final : public Recorder {
     if (db_) {
       if (finished_) seal_attempt(*db_, id_);
       if (!db_->on_postgres()) {
-        // a reader may keep the log from being emptied; nothing is lost then, so do not wait long
+        // a reader may prevent the log from being emptied; nothing is lost then, so the timeout is short
         db_->run("PRAGMA busy_timeout = 200");
         db_->rows("PRAGMA wal_checkpoint(TRUNCATE)");
       }
     } else if (journal_ && finished_) {
-      // perhaps the other program has gone meanwhile
+      // the other program may have ended meanwhile
       std::string error;
       std::unique_ptr<Database> again = open_store(store_, error);
       if (again && merge_journal(*again, journal_->path())) {
@@ -283,10 +283,10 @@ class FileRecorder final : public Recorder {
     }
   }
 
-  // What is said about the attempt is what another program would find.
+  // Reads back how the attempt was stored, as another program would find it.
   void look_back() {
     kept_.missing_steps = std::max(dropped(), buffer_.steps_lost_in_gaps());
-    // the connection that wrote is closed last: it takes the log with it
+    // the connection that wrote is closed last: closing it removes the log
     std::string error;
     if (journal_ && !journal_->empty() && journal_->is_whole()) {
       kept_.where = Kept::Where::kBeside;
@@ -315,7 +315,7 @@ class FileRecorder final : public Recorder {
   std::atomic<uint64_t> dropped_{0};
   std::atomic<bool> healthy_{true};
 
-  std::mutex mutex_;  // of what follows, between [main] and the writer
+  std::mutex mutex_;  // protects the members below, between [main] and the writer
   std::condition_variable wake_;
   bool stop_ = false;
   std::vector<std::pair<uint64_t, std::string>> notes_;
@@ -323,13 +323,13 @@ class FileRecorder final : public Recorder {
 
   std::promise<bool> opened_;
   Kept kept_;
-  AttemptEnd end_;                             // handed over by joining
+  AttemptEnd end_;                             // passed to the writer thread by joining
   bool finished_ = false, discarded_ = false;  // set before stop_
 
-  // the writer's own
+  // used by the writer thread only
   ChunkBuffer buffer_;
   StepRecord record_{};
-  uint64_t taken_ = 0;  // steps out of the ring
+  uint64_t taken_ = 0;  // number of steps taken from the ring
   Clock::time_point oldest_{};
   std::unique_ptr<Database> db_;
   std::unique_ptr<Journal> journal_;

@@ -12,13 +12,13 @@
 namespace swage::record {
 namespace {
 
-// Bytes of columns that are read into memory, so that a small file cannot fill it: an hour of one hand and twenty signals.
+// Limit of the bytes of columns read into memory, so that a small file cannot exhaust it: an hour of one hand and twenty signals.
 constexpr uint64_t kMostBytes = 900'000'000;
-// No text that Swage writes is longer, the lesson with its scene and the names of the script included; blobs are files of up to
+// Limits of what Swage writes: texts include the lesson with its scene and the names of the script; blobs are files of up to
 // 16 MiB or chunks of some kB.
 constexpr int64_t kMostText = 8 << 20, kMostBlob = 32 << 20;
 
-// The chunks of one stream, unpacked one after the other, each handed on: sink(words, rows).
+// Unpacks the chunks of one stream in order, and passes each to sink(words, rows).
 template <class Word, class Sink>
 bool read_stream(Database& db, const std::string& id, const char* stream, std::size_t columns,
                  std::string& error, const Sink& sink) {
@@ -48,7 +48,7 @@ bool read_stream(Database& db, const std::string& id, const char* stream, std::s
   return false;
 }
 
-// Before a column is taken into memory.
+// Checks the sizes before a column is read into memory.
 bool has_no_giants(Database& db, const std::string& id, std::string& error) {
   if (db.on_postgres()) return true;
   for (const char* table : {"attempt", "metric", "event", "chunk", "hand", "file"}) {
@@ -58,7 +58,7 @@ bool has_no_giants(Database& db, const std::string& id, std::string& error) {
       where += std::string(where.empty() ? "" : " OR ") + "LENGTH(" + text(column[0]) + ") > " +
                std::to_string(is_blob ? kMostBlob : kMostText);
     }
-    if (where.empty()) continue;  // of a later version of the tables
+    if (where.empty()) continue;  // no such table: it belongs to a later version of the schema
     const std::vector<Row> found = db.rows(
         "SELECT 1 FROM " + std::string(table) + " WHERE attempt_id = ? AND (" + where + ") LIMIT 1", {id});
     if (db.trouble() == Trouble::kNone && found.empty()) continue;
@@ -100,7 +100,7 @@ bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::stri
   return false;
 }
 
-// what attempts carry since version 2
+// attachments of attempts since version 2
 bool read_attachments(Database& db, const std::string& id, AttemptInfo& info, std::string& error) {
   if (schema_version(db) < 2) return true;
   for (const Row& r : db.rows(
@@ -124,8 +124,8 @@ bool read_attachments(Database& db, const std::string& id, AttemptInfo& info, st
   return false;
 }
 
-// What the chunks say they hold is asked before any is unpacked, and what they may hold is theirs at once: a vector that grows holds
-// twice what it has.
+// Reads the numbers of rows before any chunk is unpacked, and reserves the memory at once: a growing vector needs up to twice
+// its size.
 bool make_room(Database& db, const std::string& id, Recording& out, std::string& error) {
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   const auto rows_of = [&](const char* stream) {
@@ -150,7 +150,7 @@ bool make_room(Database& db, const std::string& id, Recording& out, std::string&
   return true;
 }
 
-// The streams of an attempt side by side. With `keep` they are put into `out`; without, they are only looked through.
+// Reads the streams of an attempt in parallel. With `keep` they are stored in `out`; else they are only checked.
 bool read_streams(Database& db, const std::string& id, Recording& out, bool keep, std::string& error) {
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   if (devices > snapshot::kMaxDevices || signals > snapshot::kMaxSignals) {

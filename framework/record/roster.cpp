@@ -7,7 +7,7 @@ namespace swage::record {
 
 std::string select_people(bool school) {
   const std::string own = "SELECT p.person_id, p.pseudonym, p.created_utc, COALESCE(c.attempts, 0)";
-  // counted for all at once, not person by person
+  // counted for all people at once
   const std::string from =
       " FROM person p LEFT JOIN (SELECT s.person_id, COUNT(*) AS attempts FROM session s JOIN attempt a"
       " ON a.session_id = s.session_id GROUP BY s.person_id) c ON c.person_id = p.person_id";

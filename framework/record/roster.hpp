@@ -11,16 +11,16 @@
 
 namespace swage::record {
 
-/// `school`: with what tables of version 4 say. Further conditions are appended.
+/// `school`: includes tables of version 4. Further conditions are appended.
 std::string select_people(bool school);
 Person person_from(const Row&);
-/// Everybody by name, whatever the server's collation; those without a name by code.
+/// Sorts by name, independent of the server's collation; people without a name by code.
 void sort_by_name(std::vector<Person>&);
 
-/// Every row of a person, with tombstones for it and its attempts, in the transaction of the caller.
+/// Erases all rows of a person, with tombstones for it and its attempts, in the transaction of the caller.
 bool erase_rows(Database&, const std::string& person_id);
 
-/// Makes a freed page of SQLite's unreadable: the log is emptied into the file, whose deleted bytes are overwritten.
+/// Makes deleted rows unreadable: SQLite's log is emptied into the file, whose deleted bytes are overwritten.
 void forget_deleted(Database&);
 
 }  // namespace swage::record

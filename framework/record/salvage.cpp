@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A table of ours is known by the kinds of its columns: T text, I integer, R a real number (SQLite keeps whole ones as integers,
+// A table is identified by the types of its columns: T text, I integer, R a real number (SQLite stores whole ones as integers,
 // and NaN as NULL), B bytes, N text or NULL.
 struct Form {
   std::string_view table;
@@ -81,13 +81,13 @@ const Form* form_of(const Row& row) {
     if (std::strlen(form.columns) != row.size()) continue;
     bool fits = true;
     for (std::size_t i = 0; fits && i < row.size(); ++i) fits = is_of_kind(row[i], form.columns[i]);
-    // every table but that of metrics begins with an identifier; the list of tables itself has five columns too
+    // every table but that of metrics begins with an identifier; SQLite's list of tables has five columns too
     if (fits && is_id(text(row[0]))) return &form;
   }
   return nullptr;
 }
 
-// A chunk or file that does not fit its checksum is worth nothing.
+// A chunk or file that does not match its checksum is dropped.
 bool is_sound(const Form& form, const Row& row) {
   if (form.table != "chunk" && form.table != "file") return true;
   const bool chunk = form.table == "chunk";
@@ -103,14 +103,14 @@ void take_rows(SqlitePages& pages, Database& db, Salvaged& out) {
       ++out.lost_rows;
       return;
     }
-    // of two copies of an attempt the one that has ended is the later
+    // of two copies of an attempt the ended one is the later
     if (form->table == "attempt" && text(row[kState]) != "running")
       db.run("DELETE FROM attempt WHERE attempt_id = ? AND state = 'running'", {row[0]});
     db.run(form->insert, row) ? ++out.rows : ++out.lost_rows;
   });
 }
 
-// Sessions and people that attempts refer to and that are gone get a name that says so; pieces of attempts without a head go.
+// Replaces missing sessions and people that attempts refer to by placeholders; drops pieces of attempts without a head.
 bool mend_references(Database& db, Salvaged& out) {
   const std::vector<Row> headless = db.rows(
       "SELECT COUNT(*) FROM (SELECT DISTINCT attempt_id FROM chunk WHERE attempt_id NOT IN"
@@ -135,7 +135,7 @@ bool mend_references(Database& db, Salvaged& out) {
   return ok;
 }
 
-// Number of chunks from the first on without a gap.
+// Number of chunks from the first up to a gap.
 int64_t prefix(Database& db, const std::string& id, const std::string& stream) {
   int64_t next = 0;
   db.each("SELECT seq FROM chunk WHERE attempt_id = ? AND stream = ? ORDER BY seq", {id, stream},
@@ -143,7 +143,7 @@ int64_t prefix(Database& db, const std::string& id, const std::string& stream) {
   return next;
 }
 
-// The streams of the steps are cut where the first of them has a hole, so that what is left can be replayed.
+// Cuts the streams of the steps at the first gap in any of them, so that the rest can be replayed.
 bool shorten(Database& db, const std::string& id, bool& cut) {
   std::map<std::string, int64_t> last;
   for (const Row& r : db.rows("SELECT stream, MAX(seq) FROM chunk WHERE attempt_id = ? GROUP BY stream", {id}))
@@ -170,7 +170,7 @@ bool shorten(Database& db, const std::string& id, bool& cut) {
   return ok;
 }
 
-// The steps that an attempt says it had, against those that are there.
+// Compares the number of steps of an attempt with those that exist.
 bool misses_steps(Database& db, const std::string& id) {
   const std::vector<Row> said =
       db.rows("SELECT simulated_s / dt_s, dropped FROM attempt WHERE attempt_id = ? AND dt_s > 0", {id});
@@ -187,7 +187,7 @@ bool mend_recordings(Database& db, Salvaged& out) {
   for (const std::string& id : ids) {
     bool cut = false;
     ok &= shorten(db, id, cut);
-    // a seal covers the list of chunks too; without one the steps are counted
+    // a seal covers the list of chunks too; without a seal the steps are counted
     const bool sealed = !db.rows("SELECT 1 FROM seal WHERE attempt_id = ?", {id}).empty();
     const bool as_it_was = sealed ? seal_holds(db, id) : !misses_steps(db, id);
     const bool short_now = cut || (!as_it_was && misses_steps(db, id));
@@ -200,12 +200,12 @@ bool mend_recordings(Database& db, Salvaged& out) {
         "INSERT INTO event SELECT ?, COALESCE(MAX(seq), -1) + 1, 0, 0, 'gap', -1, 'gap', 'salvaged', 0 FROM event"
         " WHERE attempt_id = ?",
         {id, id});
-    ok &= seal_attempt(db, id);  // what it is from now on
+    ok &= seal_attempt(db, id);  // seals the repaired state
   }
   return ok;
 }
 
-// SQLite holds a shared lock on a file as long as a program has it open. Asked with a descriptor of our own, which is why no
+// SQLite holds a shared lock on a file while a program has it open. Tested with our own descriptor, so no
 // connection of this process may be open.
 bool is_in_use(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
@@ -262,7 +262,7 @@ bool salvage_in_place(const std::string& store, Salvaged& out, std::string& erro
     remove_all(fresh);
     return false;
   }
-  // the log goes with its file, so that nobody can lay it over another; the new one has been closed and has none
+  // the log is renamed with its file, so that it cannot be applied to another; the new file was closed and has none
   for (const char* end : {"-wal", "-shm", ""}) {
     if (rename((store + end).c_str(), (old + end).c_str()) == 0 || (errno == ENOENT && *end != '\0')) continue;
     error = store + end + " cannot be renamed: " + std::strerror(errno) + ".";

@@ -12,7 +12,7 @@ namespace swage::record {
 namespace {
 
 // Keys are UUIDs made by the program and times are UTC text, so that stores of many stations merge by
-// inserting what is not there yet. No automatic numbers, no triggers, no types of one server only. DOUBLE
+// inserting missing rows. No automatic numbers, no triggers, no types of one server only. DOUBLE
 // PRECISION, because REAL is 4 bytes wide on PostgreSQL.
 const std::vector<Step> kSteps = {
     {
@@ -64,7 +64,7 @@ const std::vector<Step> kSteps = {
         " created_utc TEXT NOT NULL, sent_utc TEXT)",
     },
     {
-        // 2: what a replay elsewhere needs beside the samples
+        // 2: data beside the samples that a replay elsewhere needs
         "CREATE TABLE hand (attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
         " seq BIGINT NOT NULL, name TEXT NOT NULL, choice TEXT NOT NULL, plugin TEXT NOT NULL,"
         " version TEXT NOT NULL, params TEXT NOT NULL, flags BIGINT NOT NULL, PRIMARY KEY (attempt_id, seq))",
@@ -73,7 +73,7 @@ const std::vector<Step> kSteps = {
         " name TEXT NOT NULL, crc32c BIGINT NOT NULL, data @BLOB@ NOT NULL, PRIMARY KEY (attempt_id, name))",
     },
     {
-        // 3: a checksum of what an attempt says, and what later versions of its lesson say about it
+        // 3: a checksum of an attempt's rows, and the results of later versions of its lesson for it
         "CREATE TABLE seal (attempt_id TEXT PRIMARY KEY REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
         " digest TEXT NOT NULL)",
 
@@ -84,7 +84,7 @@ const std::vector<Step> kSteps = {
         "CREATE INDEX grade_by_attempt ON grade (attempt_id)",
     },
     {
-        // 4: a school. Names of people stand in `roster` alone, which is in no exported attempt; empty text stands for "none".
+        // 4: a school. Names of people are in `roster` alone, which is in no exported attempt; empty text means "none".
         "CREATE TABLE people_group (group_id TEXT PRIMARY KEY, position BIGINT NOT NULL, name TEXT NOT NULL,"
         " created_utc TEXT NOT NULL, archived_utc TEXT NOT NULL)",
 
@@ -94,7 +94,7 @@ const std::vector<Step> kSteps = {
         "CREATE INDEX roster_by_name ON roster (display_name)",
         "CREATE INDEX session_by_person ON session (person_id)",
 
-        // a lesson as it was when it was published; attempts refer to its digest
+        // a lesson as published; attempts refer to its digest
         "CREATE TABLE lesson_version (version_id TEXT PRIMARY KEY, digest TEXT NOT NULL UNIQUE, lesson_id TEXT NOT NULL,"
         " title TEXT NOT NULL, body TEXT NOT NULL, frozen_utc TEXT NOT NULL, retired_utc TEXT NOT NULL,"
         " number BIGINT NOT NULL)",
@@ -112,28 +112,28 @@ const std::vector<Step> kSteps = {
         " t_us BIGINT NOT NULL, made_utc TEXT NOT NULL, made_by TEXT NOT NULL, body TEXT NOT NULL)",
         "CREATE INDEX note_by_attempt ON note (attempt_id)",
 
-        // what a person decided about an attempt, the last of each attempt holds. kind: 0 counts, 1 void, 2 given to a person
+        // a person's decision about an attempt; the last one of each attempt is valid. kind: 0 counts, 1 void, 2 assigned to a person
         "CREATE TABLE ruling (ruling_id TEXT PRIMARY KEY,"
         " attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE, kind BIGINT NOT NULL,"
         " made_utc TEXT NOT NULL, made_by TEXT NOT NULL, reason TEXT NOT NULL)",
         "CREATE INDEX ruling_by_attempt ON ruling (attempt_id)",
 
-        // where the numbers of an attempt come from; calibration: JSON
+        // origin of an attempt's numbers; calibration: JSON
         "CREATE TABLE provenance (attempt_id TEXT PRIMARY KEY REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
         " lesson_digest TEXT NOT NULL, input TEXT NOT NULL, calibration TEXT NOT NULL, is_scripted BIGINT NOT NULL,"
         " is_synthetic BIGINT NOT NULL)",
 
-        // people and attempts that were erased for good: no backup and no file brings them back
+        // people and attempts that were erased permanently: no backup and no file restores them
         "CREATE TABLE erased (erased_id TEXT PRIMARY KEY, is_person BIGINT NOT NULL, erased_utc TEXT NOT NULL)",
 
-        // files that hold something of a person; whole: nothing of anybody else
+        // files with data of a person; whole: without data of anybody else
         "CREATE TABLE exported (export_id TEXT PRIMARY KEY, whole BIGINT NOT NULL,"
         " person_id TEXT NOT NULL REFERENCES person (person_id) ON DELETE CASCADE, kind TEXT NOT NULL,"
         " file TEXT NOT NULL, station TEXT NOT NULL, made_utc TEXT NOT NULL)",
     },
     {
-        // 5: what the stations of a school do now, and what is said between them. Volatile: one row a station, written over twice a
-        // second, in no backup and no export. Times: s since 1970 by the server's clock, as those of stations differ.
+        // 5: the present state of a school's stations, and messages between them. Volatile: one row per station, overwritten twice a
+        // second, in no backup and no export. Times: s since 1970 by the server's clock, as the stations' clocks differ.
         "CREATE TABLE station (station_id TEXT PRIMARY KEY, program_id TEXT NOT NULL, app_version TEXT NOT NULL,"
         " seen_s DOUBLE PRECISION NOT NULL, state BIGINT NOT NULL, person_id TEXT NOT NULL, lesson_id TEXT NOT NULL,"
         " lesson_title TEXT NOT NULL, mode TEXT NOT NULL, phase TEXT NOT NULL, cues TEXT NOT NULL, attempt_id TEXT NOT NULL,"
@@ -144,7 +144,7 @@ const std::vector<Step> kSteps = {
         "CREATE TABLE station_picture (station_id TEXT PRIMARY KEY REFERENCES station (station_id) ON DELETE CASCADE,"
         " taken_s DOUBLE PRECISION NOT NULL, png @BLOB@ NOT NULL)",
 
-        // kind: 0 words, 1 a lesson, 2 a picture is wanted; answer: "" while nobody has answered
+        // kind: 0 text, 1 a lesson, 2 a request for a picture; answer: "" before it is answered
         "CREATE TABLE message (message_id TEXT PRIMARY KEY, to_station TEXT NOT NULL, from_station TEXT NOT NULL,"
         " kind BIGINT NOT NULL, body TEXT NOT NULL, title TEXT NOT NULL, sent_s DOUBLE PRECISION NOT NULL,"
         " shown_s DOUBLE PRECISION, answered_s DOUBLE PRECISION, answer TEXT NOT NULL)",
@@ -192,11 +192,11 @@ std::string too_new(int version, std::size_t known) {
   return say::kNewerTables(version, known);
 }
 
-// Programs that start at once on a new database must not make its tables at once; the lock goes with the transaction.
+// Programs that start at the same time on a new database must not create its tables twice; the lock ends with the transaction.
 constexpr const char* kLockTables = "SELECT pg_advisory_xact_lock(83874652119)";  // any number, the same in every Swage
 
-// Killed programs lose nothing that was committed; a power cut may lose the last commits but damages nothing. While another
-// program changes a new file to that mode SQLite says "locked" without waiting.
+// Killing the program loses nothing that was committed; a power cut may lose the last commits but damages nothing. While another
+// program switches a new file to that mode, SQLite reports "locked" without waiting.
 bool use_write_ahead_log(Database& db) {
   constexpr int kTries = 40;
   for (int i = 0; i < kTries; ++i) {
@@ -230,7 +230,7 @@ bool bring_up_to_date(Database& db, std::span<const Step> steps, std::string& er
     return false;
   }
 
-  // ask again once the lock is ours: another program may have been quicker
+  // queries the version again under the lock: another program may have upgraded meanwhile
   bool done = version >= 0 && db.begin() && (!db.on_postgres() || db.run(kLockTables));
   if (done) {
     version = schema_version(db);
@@ -282,7 +282,7 @@ std::unique_ptr<Database> open_store(const std::string& where, std::string& erro
   } else {
     trouble = db->trouble();
   }
-  // tables that are there but not as they were made
+  // tables exist but differ from their definition
   if (trouble == Trouble::kOther && !db->on_postgres()) trouble = Trouble::kDamaged;
   if (trouble == Trouble::kNone) trouble = Trouble::kOther;
   if (why != nullptr) *why = trouble;

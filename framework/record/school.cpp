@@ -63,7 +63,7 @@ class SqlSchool final : public School {
 
   bool find_person(const std::string& who, Person& out) override {
     const std::vector<Person> all = people();
-    // a code says who it is; a name may have been another's before
+    // a code is unique; a name may have been another person's before
     for (const auto what : {&Person::code, &Person::name})
       for (const Person& p : all)
         if (p.*what == who) {
@@ -309,7 +309,7 @@ class SqlSchool final : public School {
     return out;
   }
 
-  // all or nothing
+  // runs `what` in a transaction: all or nothing
   template <class Do>
   bool change(const Do& what) {
     error_.clear();
@@ -363,7 +363,7 @@ class SqlSchool final : public School {
   std::string error_;
 };
 
-// The attempt moves into a session of its own, of the same station and time; its rows say another code now, so it is sealed again.
+// Moves the attempt to a new session of the same station and time; its rows now contain another code, so it is sealed again.
 bool SqlSchool::name_attempt(const std::string& attempt_id, const std::string& person_id, const std::string& by,
                              bool even_if_named) {
   const std::vector<Row> found =

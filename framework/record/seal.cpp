@@ -7,7 +7,7 @@
 namespace swage::record {
 namespace {
 
-// in this order; what a later version adds to an attempt comes last
+// hashed in this order; tables added by a later version come last
 const std::string& selects(std::size_t i) {
   static const std::string kSelects[] = {
       "SELECT " + std::string(kAttemptColumns) + " FROM attempt WHERE attempt_id = ?",

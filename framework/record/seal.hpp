@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A checksum over the rows of an attempt that has ended, so that a bit that flips in a score or a name is found. Chunks and files
-// have checksums of their own; those are summed up here. Whoever changes a row of an ended attempt must seal it again. [main]
+// A checksum over the rows of an ended attempt, so that a flipped bit in a score or a name is detected. Chunks and files
+// have their own checksums, which are included here. Code that changes a row of an ended attempt must seal it again. [main]
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace swage::record {
 
-/// Writes the checksum of an attempt, or that of its rows as they are now.
+/// Writes the checksum of an attempt's present rows, the first one or a new one.
 bool seal_attempt(Database&, const std::string& attempt_id);
 
-/// Whether an attempt is what it was when it was sealed; true for one without a seal.
+/// True when an attempt's rows match its seal; true for one without a seal.
 bool seal_holds(Database&, const std::string& attempt_id);
 
-/// Seals attempts that have ended and have no seal yet: imported or merged ones, or those of an earlier version. At most `most`, so
-/// that a school's store is not held up.
+/// Seals ended attempts without a seal: imported or merged ones, or those of an earlier version. At most `most`, so
+/// that a school's store is not blocked for long.
 void seal_unsealed(Database&, int most);
 
-/// The attempts whose rows are no longer what they were, as a sentence; "" when there is none. Reads every row but the recordings.
+/// A sentence on the attempts whose rows do not match their seals; "" when there are none. Reads every row but the recordings.
 std::string broken_seals(Database&);
 
 }  // namespace swage::record

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this room tells of stores, attempts, people and stations. Tests name them, and never repeat their words.
+// Messages of this room about stores, attempts, people and stations. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -9,7 +9,7 @@ namespace swage::record::say {
 
 using base::operator""_sentence;
 
-// what any of them may be told
+// general
 inline constexpr auto kNoAttempt = "There is no attempt {} in the store."_sentence;
 inline constexpr auto kNoAttemptAtAll = "There is no attempt {}."_sentence;
 inline constexpr auto kUnusable = "{} cannot be used as the store of attempts. {}{}"_sentence;
@@ -24,14 +24,14 @@ inline constexpr auto kNoTableList = "Its list of tables cannot be read: {}."_se
 inline constexpr auto kOtherTable = "Its {} \"{}\" is not as Swage makes it."_sentence;
 inline constexpr auto kStrangeTable = "It holds a {} that Swage does not make."_sentence;
 
-// what to do about it
+// remedies
 inline constexpr auto kRestoreBackup = " Restore its newest backup."_sentence;
 inline constexpr auto kSalvageIt = " If it was a store, \"swage attempts salvage --store {}\" makes a new one of what can still be read."_sentence;
 inline constexpr auto kFreeSpace = " Free space on that disk, or raise the limit on the size of files (ulimit -f)."_sentence;
 inline constexpr auto kOtherStore = " Choose another store with --store."_sentence;
 inline constexpr auto kCheckServer = " Check that the server runs and lets this station in."_sentence;
 
-// the connection
+// connection
 inline constexpr auto kNoStoreKind =
     "\"{}://\" is no store that Swage knows. A store is a file (/folder/attempts.db) or a PostgreSQL database (postgresql://user@host/database)."_sentence;
 inline constexpr auto kNotAFile = "{} is not a file: it is a folder, a device or a pipe."_sentence;
@@ -41,9 +41,9 @@ inline constexpr auto kNoPartOfAddress =
 inline constexpr auto kServerSilent = "the server has not answered for 3 s"_sentence;
 inline constexpr auto kNoPages = "{} cannot be read: {}."_sentence;
 
-// while an attempt is written
+// recording
 inline constexpr auto kFallbackFull = "The fallback file {} is full too: from here on nothing of this attempt is kept. Free space on that disk."_sentence;
-inline constexpr auto kStoreFails = "The store {}"_sentence;  // one of the next four
+inline constexpr auto kStoreFails = "The store {}"_sentence;  // {}: one of the next four
 inline constexpr auto kLocked = "is locked by another program"_sentence;
 inline constexpr auto kDiskFull = "cannot grow: the disk is full, or files may not be that large (ulimit -f)"_sentence;
 inline constexpr auto kNoAnswer = "does not answer ({})"_sentence;
@@ -56,7 +56,7 @@ inline constexpr auto kAttemptNotKept = "This attempt is not kept. {}"_sentence;
 inline constexpr auto kStepsLost = "{} steps of this attempt could not be kept: it can be replayed up to the first of them only."_sentence;
 inline constexpr auto kMerged = "The store can be written again: the attempt has been merged into it."_sentence;
 
-// attempts that are read again
+// reading of attempts
 inline constexpr auto kDamagedTable = "Attempt {} is damaged: its table \"{}\" holds more than Swage ever writes."_sentence;
 inline constexpr auto kDamagedHead = "The head of attempt {} is damaged: its plugins, devices or names are not what Swage writes."_sentence;
 inline constexpr auto kFileChecksum = "The file \"{}\" of attempt {} does not fit its checksum."_sentence;
@@ -64,7 +64,7 @@ inline constexpr auto kTooLong = "Attempt {} is too long to be opened: it has mo
 inline constexpr auto kTooManyDevices = "Attempt {} claims more devices or signals than a scene can have."_sentence;
 inline constexpr auto kUnlikeStreams = "The recording of attempt {} is damaged: its streams are not equally long."_sentence;
 
-// attempts that go from store to store
+// transfer between stores
 inline constexpr auto kHoldsNoAttempt = "It holds no attempt."_sentence;
 inline constexpr auto kHoldsMore = "It holds more than one attempt: it is a store, not an export."_sentence;
 inline constexpr auto kStrangeId = "Its attempt has an identifier that Swage does not make."_sentence;
@@ -79,7 +79,7 @@ inline constexpr auto kServerNotSalvaged = "A database of a server is not salvag
 inline constexpr auto kThereAlready = "{} is there already: name a file that is not."_sentence;
 inline constexpr auto kInUse = "{} is in use: close every Swage program first."_sentence;
 
-// files that were exported, and what an erased person leaves in them
+// exported files, and the removal of an erased person from them
 inline constexpr auto kNoHome =
     "\"{}\" cannot be the home of identifiers: an address such as https://school.example.org, without a slash at its end, is needed."_sentence;
 inline constexpr auto kHoldsNothing = "{} holds nothing of this person."_sentence;

@@ -22,8 +22,8 @@
 namespace swage::record {
 namespace {
 
-// 3 s: the step's ring holds 4 s, so that a server that stops answering costs no step; a query takes milliseconds.
-// Smaller loses the server on a slow network, larger loses steps.
+// 3 s: the step's ring holds 4 s, so that a server that stops responding loses no step; a query takes milliseconds.
+// A smaller limit fails on a slow network, a larger one loses steps.
 constexpr std::chrono::milliseconds kAnswer{3000};
 
 QVariant to_qt(const Value& value) {
@@ -35,7 +35,7 @@ QVariant to_qt(const Value& value) {
     }
     QVariant operator()(const std::string& v) const { return QVariant(QString::fromStdString(v)); }
     QVariant operator()(const Blob& v) const {
-      // without a pointer it would be NULL, which is not the same as empty
+      // a null pointer would give NULL, which differs from an empty blob
       if (v.empty()) return QVariant(QByteArray("", 0));
       return QVariant(QByteArray(reinterpret_cast<const char*>(v.data()), static_cast<qsizetype>(v.size())));
     }
@@ -63,15 +63,15 @@ Value from_qt(const QVariant& value) {
   }
 }
 
-// PostgreSQL's codes are five letters: class 53 is lack of resources, 08 and 57P a connection that was lost, none at all a server
-// that was never reached
+// PostgreSQL's codes have five characters: class 53 is lack of resources, 08 and 57P a lost connection; without a code the server
+// was never reached
 Trouble classify_postgres(const QString& code) {
   if (code.startsWith(QLatin1String("53"))) return Trouble::kFull;
   if (code == QLatin1String("25006") || code == QLatin1String("42501")) return Trouble::kReadOnly;
   if (code.isEmpty() || code.startsWith(QLatin1String("08")) || code.startsWith(QLatin1String("57P")))
     return Trouble::kUnreachable;
   if (code.startsWith(QLatin1String("XX"))) return Trouble::kDamaged;
-  // waited too long for a lock; a deadlock that the server has ended
+  // lock timeout; a deadlock that the server has resolved
   const bool locked = code == QLatin1String("55P03") || code == QLatin1String("40P01");
   return locked ? Trouble::kLocked : Trouble::kOther;
 }
@@ -83,9 +83,9 @@ Trouble classify_sqlite(int code) {
     case 6:  // SQLITE_LOCKED
       return Trouble::kLocked;
     case 8:   // SQLITE_READONLY
-    case 14:  // SQLITE_CANTOPEN: its log or its shared memory cannot be made beside it
+    case 14:  // SQLITE_CANTOPEN: its log or shared memory cannot be created beside it
       return Trouble::kReadOnly;
-    case 10:  // SQLITE_IOERR: also a file over the size that the system allows
+    case 10:  // SQLITE_IOERR: also for a file above the size limit of the system
     case 13:  // SQLITE_FULL
       return Trouble::kFull;
     case 11:  // SQLITE_CORRUPT
@@ -137,7 +137,7 @@ struct Database::Connection {
   std::string where;
   QSqlDatabase db;
   bool postgres = false;
-  std::optional<Patience> patience;  // of a server
+  std::optional<Patience> patience;  // PostgreSQL only
   std::map<std::string, QSqlQuery, std::less<>> prepared;
   QSqlQuery plain;
   std::map<QString, std::function<void()>> listeners;  // by channel
@@ -159,7 +159,7 @@ struct Database::Connection {
     }
     return false;
   }
-  // a call to the server, which may never answer
+  // a call to the server, with the timeout
   template <class Call>
   bool ask(const Call& call) {
     if (patience) patience->begin();
@@ -173,7 +173,7 @@ struct Database::Connection {
     return values.empty() ? execute_plain(sql) : execute_prepared(sql, values);
   }
 
-  // PostgreSQL prepares neither transactions nor changes of tables
+  // PostgreSQL cannot prepare transactions and changes of tables
   QSqlQuery* execute_plain(std::string_view sql) {
     plain = QSqlQuery(db);
     plain.setForwardOnly(true);
@@ -186,7 +186,7 @@ struct Database::Connection {
     return nullptr;
   }
 
-  // compiled once per connection, executed with these values
+  // compiled once per connection, then executed with these values
   QSqlQuery* execute_prepared(std::string_view sql, const Row& values) {
     auto found = prepared.find(sql);
     if (found == prepared.end()) {
@@ -264,12 +264,12 @@ bool Database::connect(Access access, std::string& error) {
   }
   if (c.postgres) {
     c.patience.emplace(socket_of(c.db), kAnswer);
-    // a lock of another station is waited for as long as one of SQLite's
+    // timeout for another station's lock, as with SQLite
     run("SET lock_timeout = '2s'");
-    // every statement here takes milliseconds; without statistics the server takes some of them for long ones and compiles them first,
+    // every statement here takes milliseconds; without statistics the server expects some to be long and compiles them first,
     // which costs 250 ms
     run("SET jit = off");
-    run("SET client_min_messages = warning");  // "already exists, skipping" is for nobody's terminal
+    run("SET client_min_messages = warning");  // suppresses notices such as "already exists, skipping"
     return true;
   }
   run("PRAGMA foreign_keys = ON");
@@ -281,7 +281,7 @@ bool Database::connect(Access access, std::string& error) {
 bool Database::run(std::string_view sql, const Row& values) {
   QSqlQuery* query = connection_->execute(sql, values);
   if (query == nullptr) return false;
-  // to the end: behind rows that nobody read libpq keeps the server's notifications until the next call
+  // reads all rows: behind unread rows libpq holds back the server's notifications until the next call
   while (query->next()) continue;
   query->finish();
   return true;
@@ -315,7 +315,7 @@ bool Database::begin() { return run(connection_->postgres ? "BEGIN" : "BEGIN IMM
 bool Database::commit() { return run("COMMIT"); }
 
 void Database::rollback() {
-  // the reason that made the caller roll back is worth more than the answer to this
+  // keeps the error that made the caller roll back, not the result of this statement
   const Trouble trouble = connection_->trouble;
   const std::string error = connection_->error;
   run("ROLLBACK");

@@ -21,9 +21,9 @@
 namespace swage::record {
 namespace {
 
-// Folders 0700 and an empty file 0600, before SQLite makes its own with the rights of this process. The file is made without being
-// opened: SQLite's locks on it belong to the whole process, and closing any descriptor of a file that is open elsewhere in this
-// program would drop them.
+// Creates folders with 0700 and an empty file with 0600, before SQLite creates its files with the rights of this process. The file
+// is created without being opened: SQLite's locks belong to the whole process, and closing any descriptor of a file that is open
+// elsewhere in this program would drop them.
 bool make_private_file(const std::string& path, std::string& error) {
   namespace fs = std::filesystem;
   std::error_code code;
@@ -42,7 +42,7 @@ bool make_private_file(const std::string& path, std::string& error) {
   return false;
 }
 
-// Nobody can write beside a file in a folder that may only be read, and SQLite cannot make its shared memory there.
+// True when no program can change the file: in a read-only folder with an empty log, where SQLite cannot create its shared memory.
 bool is_frozen(const std::string& where) {
   struct stat log {};
   const std::string folder = std::filesystem::path(where).parent_path().string();
@@ -52,8 +52,8 @@ bool is_frozen(const std::string& where) {
 
 }  // namespace
 
-// postgresql://user:password@host:port/database?host=/folder/of/the/socket, and what libpq knows about encryption. False with a
-// sentence for anything else: a wish for encryption must not be lost.
+// postgresql://user:password@host:port/database?host=/folder/of/the/socket, and libpq's options for encryption. False with a
+// sentence for any other part: an option for encryption must not be ignored.
 bool configure_postgres(QSqlDatabase& db, const std::string& where, std::string& error) {
   const QUrl url(QString::fromStdString(where));
   const QUrlQuery query(url);
@@ -85,8 +85,8 @@ bool configure_postgres(QSqlDatabase& db, const std::string& where, std::string&
   return true;
 }
 
-// Whether the file of an SQLite store can be written or read; it is made when it is to be written. Devices and pipes are refused
-// before they are opened, which may never come back.
+// Checks that the file of an SQLite store can be written or read; creates it for writing. Devices and pipes are refused
+// before they are opened, which could block for ever.
 bool file_ready(const std::string& where, Access access, std::string& error, Trouble& why) {
   struct stat facts {};
   const bool there = stat(where.c_str(), &facts) == 0;
@@ -105,7 +105,7 @@ bool file_ready(const std::string& where, Access access, std::string& error, Tro
 }
 
 void configure_sqlite(QSqlDatabase& db, const std::string& where, Access access) {
-  // 2000 ms: longer than any measured commit, shorter than the recorder's ring lasts
+  // 2000 ms: longer than any measured commit, shorter than the time that the recorder's ring holds
   QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000");
   QString name = QString::fromStdString(where);
   if (access == Access::kRead) {
@@ -121,8 +121,8 @@ void configure_sqlite(QSqlDatabase& db, const std::string& where, Access access)
   db.setConnectOptions(options);
 }
 
-// The socket of a connection of Qt's driver, -1 when it cannot be known. The driver has loaded libpq; a station without a server
-// does not need it.
+// The socket of a connection of Qt's driver, -1 when unknown. The driver has loaded libpq; a station without a server
+// does not need libpq.
 int socket_of(const QSqlDatabase& db) {
   const QVariant handle = db.driver()->handle();
   void* library = dlopen("libpq.so.5", RTLD_NOW | RTLD_NOLOAD);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a connection is set up, for sql.cpp alone: rights, read-only folders, addresses of servers.
+// Set-up of a connection, for sql.cpp alone: rights, read-only folders, addresses of servers.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ class QSqlDatabase;
 
 namespace swage::record {
 
-/// Makes the file of a store that is to be written. False with a sentence for what is no regular file or may not be used.
+/// Creates the file of a store to be written. False with a sentence for a path that is no regular file or may not be used.
 bool file_ready(const std::string& where, Access, std::string& error, Trouble& why);
 void configure_sqlite(QSqlDatabase&, const std::string& where, Access);
 
-/// False with a sentence when the address says what Swage does not know.
+/// False with a sentence when the address has a part that Swage does not know.
 bool configure_postgres(QSqlDatabase&, const std::string& where, std::string& error);
-/// The socket of an open connection to a server, -1 when it cannot be known.
+/// The socket of an open connection to a server, -1 when unknown.
 int socket_of(const QSqlDatabase&);
 
 }  // namespace swage::record

@@ -15,10 +15,10 @@
 namespace swage::record {
 namespace {
 
-constexpr std::size_t kUsualPage = 4096;  // what SQLite makes, and every store of ours
+constexpr std::size_t kUsualPage = 4096;  // SQLite's default, and the size of all our stores
 constexpr std::size_t kFileHeader = 100, kLogHeader = 32, kFrameHeader = 24, kLeafHeader = 8;
 constexpr uint8_t kTableLeaf = 0x0D;
-// no row of ours is longer: a file that goes with an attempt has 16 MiB at most
+// no row of ours is longer: a file of an attempt has at most 16 MiB
 constexpr uint64_t kMostPayload = 32u << 20;
 
 uint64_t big_endian(const uint8_t* at, std::size_t bytes) {
@@ -41,7 +41,7 @@ bool varint(const std::vector<uint8_t>& bytes, std::size_t& at, std::size_t end,
   return false;
 }
 
-// one value of a record; `type` as the header of the record has it
+// one value of a record; `type` as in the record's header
 bool take_value(const std::vector<uint8_t>& record, std::size_t& at, uint64_t type, Value& out) {
   static constexpr std::size_t kSize[] = {0, 1, 2, 3, 4, 6, 8, 8, 0, 0};
   const std::size_t left = record.size() - at;
@@ -69,7 +69,7 @@ bool take_value(const std::vector<uint8_t>& record, std::size_t& at, uint64_t ty
       out = std::bit_cast<double>(bits);
     } else {
       const unsigned unused = 64 - 8 * static_cast<unsigned>(size);
-      out = static_cast<int64_t>(bits << unused) >> unused;  // the sign of a short number
+      out = static_cast<int64_t>(bits << unused) >> unused;  // sign extension of a short number
     }
   }
   at += size;
@@ -77,7 +77,7 @@ bool take_value(const std::vector<uint8_t>& record, std::size_t& at, uint64_t ty
 }
 
 bool take_row(const std::vector<uint8_t>& record, Row& row) {
-  constexpr std::size_t kMostColumns = 64;  // twice what any table of ours has
+  constexpr std::size_t kMostColumns = 64;  // twice the number of any table of ours
   std::size_t head = 0;
   uint64_t head_size = 0;
   if (!varint(record, head, record.size(), head_size) || head_size > record.size()) return false;
@@ -95,7 +95,7 @@ bool read_at(int file, uint64_t offset, uint8_t* to, std::size_t size) {
   return pread(file, to, size, static_cast<off_t>(offset)) == static_cast<ssize_t>(size);
 }
 
-// the running checksum of a log, over words in the byte order that its header says
+// the running checksum of a log, over words in the byte order given by its header
 struct LogSum {
   bool big = false;
   uint32_t a = 0, b = 0;
@@ -136,7 +136,7 @@ bool SqlitePages::open(const std::string& path, std::string& error) {
   return true;
 }
 
-// up to the last transaction that was committed
+// reads up to the last committed transaction
 void SqlitePages::read_log(const std::string& path) {
   log_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   uint8_t head[kLogHeader] = {};
@@ -170,7 +170,7 @@ bool SqlitePages::page(uint64_t number, std::vector<uint8_t>& out) const {
   return number > 0 && read_at(file_, (number - 1) * size_, out.data(), size_);
 }
 
-// What a cell of a leaf holds, with what has run over to further pages.
+// Payload of a cell of a leaf, including its overflow pages.
 bool SqlitePages::payload(const std::vector<uint8_t>& page, std::size_t at, std::vector<uint8_t>& out) const {
   uint64_t size = 0, rowid = 0;
   if (!varint(page, at, size_, size) || !varint(page, at, size_, rowid) || size > kMostPayload) return false;

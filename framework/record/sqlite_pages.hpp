@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The rows of a damaged SQLite file, read from its pages one by one without its trees, its list of tables or its header: what
-// SQLite itself refuses as a whole is read as far as single pages are whole. The format is that of sqlite.org/fileformat2.html.
+// The rows of a damaged SQLite file, read page by page without its trees, its list of tables or its header: a file that
+// SQLite refuses as a whole is read as far as single pages are intact. The format is that of sqlite.org/fileformat2.html.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ namespace swage::record {
 
 class SqlitePages {
  public:
-  /// Also takes the pages that lie committed in `<path>-wal`. False with a sentence.
+  /// Includes the committed pages of `<path>-wal`. False with a sentence.
   bool open(const std::string& path, std::string& error);
   ~SqlitePages();
   SqlitePages() = default;
   SqlitePages(const SqlitePages&) = delete;
   SqlitePages& operator=(const SqlitePages&) = delete;
 
-  /// Every row on every leaf of a table, of whichever table. Returns the number of rows that could not be read.
+  /// Visits every row on every leaf page of any table. Returns the number of rows that could not be read.
   uint64_t each_row(const std::function<void(const Row&)>& visit);
   uint64_t pages() const { return count_; }
 
@@ -33,9 +33,9 @@ class SqlitePages {
   bool payload(const std::vector<uint8_t>& page, std::size_t at, std::vector<uint8_t>& out) const;
 
   int file_ = -1, log_ = -1;
-  std::size_t size_ = 0;                          // of a page
-  uint64_t count_ = 0;                            // pages
-  std::map<uint64_t, uint64_t> newer_;  // page -> its place in the log
+  std::size_t size_ = 0;                          // bytes of a page
+  uint64_t count_ = 0;                            // number of pages
+  std::map<uint64_t, uint64_t> newer_;  // page -> its offset in the log
 };
 
 }  // namespace swage::record

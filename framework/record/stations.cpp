@@ -15,9 +15,9 @@ namespace {
 const std::string kNow = "CAST(EXTRACT(EPOCH FROM clock_timestamp()) AS DOUBLE PRECISION)";
 
 constexpr const char* kChannels[] = {"swage_now", "swage_message", "swage_picture"};
-// s before the moment at which an instructor marks: what was worth it lies behind it, as for a mark at the station itself
+// s before the moment at which an instructor marks: the event is already over then, as for a mark at the station itself
 constexpr double kBeforeMark_s = 2.0;
-constexpr int kMostNames = 64;  // programs on machines of one name
+constexpr int kMostNames = 64;  // limit of programs on machines of the same name
 constexpr char kBetweenCues = '\n';
 
 std::string join(const std::vector<std::string>& cues) {
@@ -136,11 +136,11 @@ class SqlStations final : public Stations {
 
   std::unique_ptr<Database> db_;
   std::string program_, name_, error_;
-  std::string person_, person_id_;  // last looked up
+  std::string person_, person_id_;  // last query of id_of()
   bool lost_ = false;
 };
 
-// One statement, so that two programs never take the same name.
+// A single statement, so that two programs never take the same name.
 bool SqlStations::enter(const std::string& wanted, const std::string& program, std::string& name) {
   program_ = program;
   const std::string take =
@@ -162,7 +162,7 @@ bool SqlStations::enter(const std::string& wanted, const std::string& program, s
   return fail(say::kManyStations(kMostNames, wanted));
 }
 
-// The roster's name leads to the person; it is looked up once for each name that is found.
+// Finds a person by the roster's name; cached for the last name found.
 std::string SqlStations::id_of(const std::string& person) {
   if (person == person_ && !person_id_.empty()) return person_id_;
   person_ = person;
@@ -176,7 +176,7 @@ std::string SqlStations::id_of(const std::string& person) {
 bool SqlStations::say(const StationNow& n) {
   const std::string who = n.person.empty() ? "" : id_of(n.person);
   if (!done(db_->trouble() != Trouble::kUnreachable)) return false;
-  // a row that somebody removed from the list comes back
+  // a row that was removed from the list is inserted again
   return done(db_->run(
       "WITH said AS (INSERT INTO station (station_id, program_id, app_version, seen_s, state, person_id, lesson_id, lesson_title,"
       " mode, phase, cues, attempt_id, step, time_s, score, force_n, late, dropped, solver, stopped, silent_devices, is_recorded)"
@@ -223,7 +223,7 @@ bool SqlStations::all(std::vector<StationNow>& out) {
     n.silent_s = std::max(0.0, real(r[20]));
     out.push_back(std::move(n));
   }
-  // whatever the server's collation
+  // independent of the server's collation
   std::sort(out.begin(), out.end(), [](const StationNow& a, const StationNow& b) { return a.station < b.station; });
   return done(db_->trouble() == Trouble::kNone);
 }
@@ -248,7 +248,7 @@ bool SqlStations::messages(const std::string& which, std::vector<StationMessage>
   return done(db_->trouble() == Trouble::kNone);
 }
 
-// The station's clock of the attempt goes on since its last word, unless it waits.
+// The station's time of the attempt has advanced since its last report, unless it is paused.
 bool SqlStations::mark(const std::string& station, const std::string& words, const std::string& by, double& time_s) {
   std::vector<StationNow> now;
   if (!all(now)) return false;

@@ -21,11 +21,11 @@
 namespace swage::record {
 namespace {
 
-// Stores before version 4 are read too, and have neither names nor decisions.
+// Stores before version 4 can be read, too; they have neither names nor decisions.
 constexpr int kSchool = 4;
 constexpr int kRatings = 6;  // before it nobody could rate an attempt
 
-// What tells that a list of attempts is no longer as it was. It reads no recording.
+// Values that change when a list of attempts changes. Reads no recording.
 constexpr const char* kDigest =
     "SELECT COUNT(*), COALESCE(MAX(started_utc), ''), COALESCE(MAX(ended_utc), ''),"
     " COALESCE(SUM(CASE WHEN state = 'running' THEN 1 ELSE 0 END), 0) + COALESCE(SUM(is_void), 0),"
@@ -138,7 +138,7 @@ class SqlStore final : public Store {
   int recover() override {
     begin();
     if (read_only_) return 0;
-    // on a shared server only this machine can know which of its programs live
+    // on a shared server a machine can only know which of its own programs run
     std::string sql =
         "SELECT a.attempt_id, a.dt_s FROM attempt a JOIN session s ON s.session_id = a.session_id"
         " WHERE a.state = 'running'";
@@ -195,7 +195,7 @@ class SqlStore final : public Store {
   }
 
  private:
-  // a condition that is not asked for is not written: the server then goes by the index of the person
+  // omits conditions that are not needed: the server then uses the index of the person
   static std::string condition(const std::string& person_id, const std::string& lesson_id, Row& values) {
     std::string which = " WHERE 1 = 1";
     if (!person_id.empty()) which += " AND s.person_id = ?", values.push_back(person_id);
@@ -225,7 +225,7 @@ class SqlStore final : public Store {
     return out;
   }
 
-  // what was committed tells how far it came
+  // the committed steps give its duration
   bool recover_one(const std::string& id, double dt) {
     double simulated = 0;
     for (const Row& r : rows("SELECT t0_us, n FROM chunk WHERE attempt_id = ? AND stream = 'hash'"
@@ -243,8 +243,8 @@ class SqlStore final : public Store {
   std::unique_ptr<Database> db_;
   const std::string where_;
   const bool read_only_;
-  const bool school_;  // the tables of people and courses are there
-  const bool ratings_;
+  const bool school_;   // the tables of version 4 exist
+  const bool ratings_;  // the table of version 6 exists
   AttemptHeads heads_;
   AttemptMetrics metrics_;
   std::string trouble_;
@@ -286,7 +286,7 @@ std::string Store::default_path() {
   if (data != nullptr && data[0] == '/') return std::string(data) + "/swage/attempts.db";
   const char* home = std::getenv("HOME");
   if (home == nullptr || home[0] != '/') {
-    // a service or cron job has no HOME; its user has a home all the same
+    // a service or cron job has no HOME, but its user has a home folder
     const passwd* user = getpwuid(geteuid());
     home = user != nullptr ? user->pw_dir : nullptr;
   }

@@ -23,13 +23,13 @@
 namespace swage::record {
 namespace {
 
-constexpr double kNoise = 0.15;     // relative, of the novice's share of one attempt about the person's curve
-constexpr uint32_t kADay = 10;      // attempts of a sitting
-constexpr uint32_t kTestFrom = 6;   // attempts of a lesson before the first in Test; then every second is one
+constexpr double kNoise = 0.15;     // relative, scatter of the novice's share of an attempt about the person's curve
+constexpr uint32_t kADay = 10;      // attempts per session
+constexpr uint32_t kTestFrom = 6;   // attempts of a lesson before the first in Test; then every second is in Test
 constexpr int64_t kDay = 86400;     // s
-constexpr const char* kExperts = "Experts";  // as the console knows them
+constexpr const char* kExperts = "Experts";  // name used by the console
 
-// What hands have really done at one lesson.
+// Real attempts at one lesson.
 struct Model {
   Recording expert_recording;
   AttemptRow expert;
@@ -40,8 +40,8 @@ struct Model {
 struct Trainee {
   Person person;
   bool is_expert = false;
-  double talent = 0, pace = 0;  // share of the novice's distance that stays; attempts to a third
-  std::vector<uint32_t> done;   // of each lesson
+  double talent = 0, pace = 0;  // share of the novice's distance that remains; number of attempts to a third
+  std::vector<uint32_t> done;   // per lesson
 };
 
 double normal(base::Xoshiro256& random) {
@@ -62,10 +62,10 @@ const MetricValue* find(const AttemptRow& a, const std::string& id) {
   return found == a.metrics.end() ? nullptr : &*found;
 }
 
-/// Real attempts and how much each counts; the weights make 1.
+/// Real attempts with their weights; the sum of the weights is 1.
 using Mix = std::vector<std::pair<const AttemptRow*, double>>;
 
-// Counts stay whole. A value that one of the attempts has not is none here.
+// Whole numbers stay whole. A value that one of the attempts lacks is missing in the mean.
 template <class Value>
 double mean(const Mix& mix, Value value) {
   double out = 0;
@@ -83,7 +83,7 @@ double metric(const AttemptRow& a, const std::string& id) {
   return m != nullptr ? m->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Of several attempts, with random weights that make `share` together.
+// Adds several attempts, with random weights whose sum is `share`.
 void add_mix(Mix& mix, const std::vector<AttemptRow>& attempts, double share, base::Xoshiro256& random) {
   const std::size_t first = mix.size();
   double sum = 0;
@@ -100,7 +100,7 @@ class Writer {
     if (!make_people(models.size())) return error = school_.error(), false;
     const std::vector<std::size_t> quota = quotas();
     const std::size_t most = *std::max_element(quota.begin(), quota.end()), days = (most + kADay - 1) / kADay;
-    // the last of them end yesterday, whenever this is run; who does less was last seen earlier
+    // the last attempts end yesterday, at any date of the run; people with fewer attempts end earlier
     const int64_t end = time(nullptr) / kDay * kDay - kDay;
     std::size_t left = what_.attempts;
     bool ok = to_.begin();
@@ -113,7 +113,7 @@ class Writer {
         ok = attempt(trainees_[n], models[lesson], lesson, day, start, left-- <= what_.recordings);
       }
     ok = ok && to_.commit();
-    // a server plans by what it has counted, and counts by itself only after a minute
+    // updates the server's statistics for its query plans, which it would do by itself only after a minute
     if (ok && to_.on_postgres()) ok = to_.run("ANALYZE");
     if (!ok) {
       error = "The synthetic school cannot be written: " + to_.error() + ".";
@@ -125,7 +125,7 @@ class Writer {
 
  private:
   bool make_people(std::size_t lessons) {
-    // whose band everybody is measured by, but not in the place of real experts
+    // the group whose band is the reference, unless a group of real experts exists
     const std::vector<Group> there = school_.groups();
     const bool taken = std::any_of(there.begin(), there.end(), [](const Group& g) { return g.name == kExperts; });
     Group trainees{"", "Synthetic residents", "", ""}, experts{"", taken ? "Synthetic experts" : kExperts, "", ""};
@@ -149,7 +149,7 @@ class Writer {
     return true;
   }
 
-  // How many attempts each makes: some a third of what others do; together as many as are asked for.
+  // Number of attempts of each person: some have a third of the others'; the sum is what_.attempts.
   std::vector<std::size_t> quotas() {
     std::vector<double> weight;
     double sum = 0;
@@ -170,9 +170,9 @@ class Writer {
     info.mode = test ? "test" : "practice";
     info.device = "swage.synthetic";
     info.synthetic = true;
-    info.seed = 1 + random_() % 999999;  // as a person draws one: six digits at most
+    info.seed = 1 + random_() % 999999;  // six digits at most, as when a person draws one
     if (!recorded) info.files.clear();
-    // a person's hand is what this stands for; the mark says that none was there
+    // the flag of a scripted hand is cleared, as the attempt represents a person; the synthetic mark is set
     for (HandInfo& h : info.hands) h.flags &= ~uint32_t{SWAGE_DEVICE_SCRIPTED};
 
     const std::string id = make_id();
@@ -191,7 +191,7 @@ class Writer {
 
   AttemptEnd drawn_end(const Model& m, double novice) {
     AttemptEnd end;
-    // a novice misses half of them
+    // a novice fails half of the attempts
     const bool failed = !m.failed.empty() && random_.uniform() < 0.55 * novice;
     const double share = std::clamp(novice * (1 + kNoise * normal(random_)), 0.0, 1.0);
     Mix mix;
@@ -228,7 +228,7 @@ class Writer {
     return id;
   }
 
-  // Limits at three tenths of the way from expert to novice, on the metrics in which the two differ most.
+  // Limits at three tenths of the distance from expert to novice, on the metrics in which the two differ most.
   bool make_course(const std::vector<Model>& models) {
     Course course;
     course.title = "Synthetic course";

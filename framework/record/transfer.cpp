@@ -19,7 +19,7 @@
 namespace swage::record {
 namespace {
 
-// An exported attempt is 70 kB a second at most, 250 MB an hour; a file beyond this is not one.
+// An exported attempt has at most 70 kB a second, 250 MB an hour; a larger file is not one.
 constexpr uint64_t kMostFile = uint64_t{1} << 30;
 
 struct Source {
@@ -27,8 +27,8 @@ struct Source {
   std::string sql;  // the values of a row of this kind, in its order
 };
 
-// In the order in which they are written and summed up; what a version adds comes last, so that the checksum of an attempt
-// without it stays the same.
+// In the order in which they are written and hashed; parts added by a version come last, so that the checksum of an attempt
+// without them stays the same.
 std::vector<Source> sources(int version) {
   const std::string of_person =
       " FROM person p JOIN session s ON s.person_id = p.person_id"
@@ -89,7 +89,7 @@ void add_row(base::Hash& hash, const Row& row) {
   }
 }
 
-// every row of an attempt, one at a time, so that an hour of traces does not lie in memory
+// every row of an attempt, one at a time, so that an hour of traces is never in memory as a whole
 bool each_row(Database& db, const std::string& id, const std::function<bool(Kind, const Row&)>& visit) {
   bool ok = true;
   for (const Source& source : sources(schema_version(db))) {
@@ -125,11 +125,11 @@ bool make_file(Database& store, const std::string& id, const std::string& file, 
          out->run("INSERT INTO swage_export (digest) VALUES (?)", {digest});
 }
 
-// what a stranger's file must be before we believe a word of it
+// checks a file of unknown origin before any row is used
 bool check_file(Database& file, std::string& id, std::string& error) {
   error = foreign_tables(file, true);
   if (!error.empty()) {
-    // a store of many attempts is named as what it is
+    // the message names a store of many attempts as such
     const std::vector<Row> attempts = file.rows("SELECT COUNT(*) FROM attempt");
     const bool store = foreign_tables(file, false).empty() && !attempts.empty() && integer(attempts[0][0]) > 1;
     if (!store) return false;

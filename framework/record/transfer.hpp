@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One attempt in one file (".swage"): an SQLite database with the tables of the store and the rows of that
+// An attempt in one file (".swage"): an SQLite database with the tables of the store and the rows of that
 // attempt only.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace swage::record {
 
-/// The file appears whole or not at all.
+/// Writes the file, which appears complete or not at all.
 bool write_attempt_file(Database& store, const std::string& id, const std::string& file, std::string& error);
 
-/// Checks the whole file before a row of it is taken. An attempt that is there already stays as it is.
+/// Checks the whole file before a row is inserted. An attempt that exists already is not changed.
 bool read_attempt_file(Database& store, const std::string& file, std::string& id, std::string& error);
 
 }  // namespace swage::record

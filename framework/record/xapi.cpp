@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Statements of the Experience API 1.0.3 (github.com/adlnet/xAPI-Spec, xAPI-Data.md). cmi5 allows "passed" once for a registration,
-// so an attempt is "attempted", whatever came of it; its result says how it went.
+// Statements of the Experience API 1.0.3 (github.com/adlnet/xAPI-Spec, xAPI-Data.md). cmi5 allows "passed" once per registration,
+// so the verb of an attempt is always "attempted"; its result has the outcome.
 #include <QtCore/QString>
 #include <QtCore/QUuid>
 #include <cmath>
@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Version 5 of RFC 4122: the same name gives the same identifier, and every record store takes that version.
+// UUID version 5 of RFC 4122: the same name gives the same identifier, and every record store accepts that version.
 std::string named_id(const std::string& name) {
   static const QUuid kSpace(QStringLiteral("6f6a9bd6-6a2f-4d1c-9d2e-0b7c1f3a5e88"));
   return QUuid::createUuidV5(kSpace, QString::fromStdString(name)).toString(QUuid::WithoutBraces).toStdString();
 }
 
-// What may stand in the path of an IRI as it is; everything else is %XX.
+// Characters that are allowed in the path of an IRI; all others become %XX.
 std::string in_iri(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -54,7 +54,7 @@ Json result(const Exported& e, const std::string& home) {
   Json out;
   if (std::isfinite(a.score) && a.score >= 0 && a.score <= 100)
     out["score"] = {{"scaled", a.score / 100}, {"raw", a.score}, {"min", 0}, {"max", 100}};
-  // a void attempt proves nothing, neither does practice: cmi5 keeps satisfaction out of both
+  // a void attempt and practice have no success: cmi5 excludes both from satisfaction
   if (a.mode == "test" && !a.is_void && a.state == "complete") out["success"] = a.outcome == "passed";
   out["completion"] = a.state == "complete";
   out["duration"] = duration(a.simulated_s);

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Calls into drivers that may never come back. A thread cannot be ended from outside: it is left behind, with everything that it
-// may still touch, and the program ends without waiting for it.
+// Calls into drivers that may never return. A thread cannot be ended from outside: it is abandoned, with all data that it
+// may still use, and the program ends without waiting for it.
 #pragma once
 
 #include <functional>
 
 namespace swage::session {
 
-// s that a driver may take to open, to close, and for its last exchange. Normal: under 0.1, up to 5 for an arm that homes. Less, and
-// slow drivers are given up; more, and a person waits longer before a sentence comes
+// s, timeouts for a driver's open, close, and last exchange. Usual: under 0.1, up to 5 for an arm that homes. Smaller: slow
+// drivers time out; larger: a person waits longer for the message
 struct DriverLimits {
   double open = 10, close = 5, exchange = 2;
 };
-/// Tests of drivers that block set smaller ones, before any device is opened. [main]
+/// Tests of blocking drivers set smaller ones, before any device is opened. [main]
 DriverLimits& driver_limits() noexcept;
 
-/// Runs `work` on a thread of its own and waits for it. False: it was not done within `limit_s` and goes on alone; what it uses
-/// has to live as long as the process. [main]
+/// Runs `work` on its own thread and waits for it. False: it did not finish within `limit_s` and continues alone; the data it uses
+/// must live as long as the process. [main]
 bool bounded_call(std::function<void()> work, double limit_s);
 
-/// Notes that a thread was left behind, here or by a caller. [any]
+/// Counts a thread as abandoned, here or by a caller. [any]
 void leave_behind() noexcept;
-/// How many threads were left behind so far. [any]
+/// Number of threads abandoned so far. [any]
 int left_behind() noexcept;
 
-/// The last word of main(): answers `code`, or ends the process at once when a thread was left behind, because exit handlers and
-/// destructors of plugins would run beside it. [main]
+/// Last call of main(): returns `code`, or ends the process at once when a thread was abandoned, because exit handlers and
+/// destructors of plugins would run at the same time as that thread. [main]
 int end_program(int code);
 
 }  // namespace swage::session

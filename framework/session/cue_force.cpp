@@ -41,7 +41,7 @@ double pulse_force(const CuePulse& pulse, double t) noexcept {
   using std::numbers::pi;
   if (t < 0 || t >= length(pulse)) return 0;
   const double s = std::fmod(t, 2 * pulse.length);
-  if (s >= pulse.length) return 0;  // the pause between two
+  if (s >= pulse.length) return 0;  // the pause between two pulses
   const double window = 0.5 * (1 - std::cos(2 * pi * s / pulse.length));
   return pulse.peak * window * std::sin(2 * pi * pulse.frequency * s);
 }

@@ -22,10 +22,10 @@ namespace {
 constexpr int kReaderPriority = 60;
 // s without a new sample after which a device counts as silent; normal gaps are one to ten milliseconds
 constexpr double kSilence = 0.1;
-// simulated s without a valid sample that the step sees of a hand that was away for kSilence by the clock. Above 0.1 it meets the hand
-// again as after a clutch (step/hands.cpp); longer is felt
+// s, simulated, without a valid sample for the step, after a hand was away for kSilence by the clock. Above 0.1 the step matches the hand
+// as after a clutch (step/hands.cpp); longer would be felt
 constexpr double kRest = 0.11;
-// what a hand is lost without, once it has given it
+// values without which a hand that has given them counts as lost
 constexpr uint32_t kWhole = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
 
 double seconds(int64_t ns) { return 1e-9 * static_cast<double>(ns); }
@@ -93,7 +93,7 @@ bool IoPort::stop() {
   return false;
 }
 
-// one exchange per period; what the driver takes longer is its own affair
+// one exchange per period; a slower driver sets its own pace
 void IoPort::run() {
   prctl(PR_SET_NAME, "swage-device");
   prctl(PR_SET_TIMERSLACK, 1UL);
@@ -108,7 +108,7 @@ void IoPort::run() {
   given.sample.pose.q.w = 1;
   int64_t last = base::wall_ns(), next = last;
   for (uint64_t n = 0; instance.quarantined.load(std::memory_order_relaxed) == 0; ++n) {
-    // the last exchange takes the force away
+    // the last exchange sets the force to zero
     const bool leaving = stop_.load(std::memory_order_relaxed);
     const int64_t now = base::wall_ns();
     const swage_command out = leaving ? step::no_force(0) : command(given, seconds(now - last), now);
@@ -132,7 +132,7 @@ void IoPort::run() {
 }
 
 swage_command IoPort::command(const Given& last, double dt, int64_t now) noexcept {
-  // no force before the device has spoken and the scene has answered
+  // no force before the device has given a sample and the scene a force
   Wanted wanted;
   const bool ready = last.wall_ns != 0 && wanted_.latest(wanted) != 0;
   if (!(slot_.device->flags & SWAGE_DEVICE_FORCE) || !ready) return step::no_force(seconds(now));
@@ -150,13 +150,13 @@ void IoPort::read(uint64_t, double time_s, swage_sample& sample) noexcept {
   Given given;
   if (given_.latest(given) == 0) return;
   sample = given.sample;
-  // what is old is not valid any more: the step holds, and so does a replay, which sees the same samples
+  // an old sample is invalid: the step holds, and so does a replay, which gets the same samples
   const int64_t now = base::wall_ns();
   if (seconds(now - given.wall_ns) > kSilence || resting(given, now, time_s)) sample.valid = 0;
 }
 
-// A hand moves by the clock. The scene's time stands while it is paused, and lags where steps are lost: a hand that the scene did not
-// hear meanwhile is met again where its tool stands, as it would leap otherwise.
+// A hand moves in wall time. Simulated time stands still in a pause, and lags where steps are lost: a hand that the scene has
+// not read meanwhile is matched at its tool's place, as the tool would jump otherwise.
 bool IoPort::resting(const Given& given, int64_t now, double time_s) noexcept {
   const bool whole = (given.sample.valid & given.known) == given.known;
   if (whole && heard_ns_ != 0 && seconds(now - heard_ns_) >= kSilence) rest_until_ = heard_s_ + kRest;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Devices as the session runs them: on threads of their own, or asked in the step; forces in both cases through a guard.
+// Devices in a session: on their own threads, or called in the step; forces in both cases through a guard.
 #pragma once
 
 #include <algorithm>
@@ -17,38 +17,38 @@
 
 namespace swage::session {
 
-/// What every port of a session can tell and be told. Methods without a mark are [any].
+/// Interface of all ports of a session. Methods without a mark are [any].
 class Port : public step::DevicePort {
  public:
   Port(host::DeviceSlot& slot, const ForceLimits& limits) : slot_(slot), guard_(limits) {}
-  /// What its device tells of itself from now on. [main] before start()
+  /// Sets the signals that its device reports. [main] before start()
   void tell(const host::DeviceSignals& signals) { signals_ = signals; }
   const host::DeviceSignals& signals() const noexcept { return signals_; }
-  /// Newest values of signals(), NaN where nothing is known. [rt]
+  /// Newest values of signals(), NaN where unknown. [rt]
   virtual void told(double* out) const noexcept = 0;
   virtual void start() {}                                                // [main] the device is open
-  /// Ends its thread. False: the device has not come back from exchange(); the port, the rig and the watchdog's flag have to
-  /// stay for the rest of the process. [main]
+  /// Ends its thread. False: the device has not returned from exchange(); the port, the rig and the watchdog's flag must
+  /// live until the process ends. [main]
   virtual bool stop() { return true; }
-  void arm() noexcept { arm_.fetch_add(1, std::memory_order_relaxed); }  // forces may flow, after a fade-in
+  void arm() noexcept { arm_.fetch_add(1, std::memory_order_relaxed); }  // enables forces, with a fade-in
   void disarm() noexcept { disarm_.fetch_add(1, std::memory_order_relaxed); }
-  /// What a cue adds to the next force that is sent, N along the device's y. [rt]
+  /// Force of a cue to add to the next force that is sent, N along the device's y. [rt]
   void set_cue_force(double force) noexcept { cue_force_ = force; }
   ForceFault fault() const noexcept { return guard_.fault(); }
   host::DeviceSlot& slot() const noexcept { return slot_; }
-  virtual swage_vec3 force() const noexcept = 0;         // N, last given
-  virtual bool stale() const noexcept { return false; }  // no new sample for a while
-  /// s since it last gave everything that it ever gave of pose and closure; 0 where its clock is the scene's.
+  virtual swage_vec3 force() const noexcept = 0;         // N, last sent
+  virtual bool stale() const noexcept { return false; }  // no new sample for kSilence
+  /// s since its last sample with all of pose and closure that it has ever given; 0 where its clock is the scene's.
   virtual double lost_s() const noexcept { return 0; }
 
  protected:
-  /// Limits for this device: never above what it says it bears.
+  /// Limits for this device: at most those that it declares.
   static ForceLimits limits(const host::DeviceSlot& slot);
   step::ToolForce with_cue_force(step::ToolForce force) const noexcept {
     force.force.y += cue_force_;
     return force;
   }
-  void follow_orders() noexcept;  // takes arm and disarm over; on the thread that uses the guard
+  void follow_orders() noexcept;  // applies arm and disarm; on the thread that uses the guard
 
   host::DeviceSlot& slot_;
   ForceGuard guard_;
@@ -57,15 +57,15 @@ class Port : public step::DevicePort {
  private:
   std::atomic<uint32_t> arm_{0}, disarm_{0};
   uint32_t arm_seen_ = 0, disarm_seen_ = 0;
-  double cue_force_ = 0;  // N, of the step's thread
+  double cue_force_ = 0;  // N, used by the step's thread
 };
 
-/// A device with a thread of its own: exchange() may block. Samples and wanted forces cross in mailboxes.
+/// A device with its own thread: exchange() may block. Samples and wanted forces are passed in mailboxes.
 class IoPort final : public Port {
  public:
-  /// `stalled`: the step has not come back; forces must go. [main]
+  /// `stalled`: true while the step has not returned, when forces must be zero. [main]
   IoPort(host::DeviceSlot& slot, const std::atomic<bool>* stalled);
-  ~IoPort() override { stop(); }  // only of a port whose device has come back
+  ~IoPort() override { stop(); }  // only of a port whose device has returned
   void start() override;
   bool stop() override;
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
@@ -83,9 +83,9 @@ class IoPort final : public Port {
   struct Given {
     swage_sample sample;
     swage_vec3 force;
-    int64_t wall_ns = 0;  // when a new sample last came
-    int64_t whole_ns = 0; // when one last came that was whole
-    uint64_t known = 0;   // SWAGE_VALID_POSE, _CLOSURE that it has ever given
+    int64_t wall_ns = 0;  // time of the last new sample
+    int64_t whole_ns = 0; // time of the last new sample with all known values
+    uint64_t known = 0;   // those of SWAGE_VALID_POSE, _CLOSURE that it has ever given
     double told[SWAGE_MOST_DEVICE_SIGNALS];
   };
   bool resting(const Given& given, int64_t now, double time_s) noexcept;
@@ -94,8 +94,8 @@ class IoPort final : public Port {
 
   const std::atomic<bool>* stalled_;
   const double period_;     // s
-  int64_t started_ns_ = 0;  // before the thread
-  // when the step last heard it whole, by the clock and in s simulated; until when it rests. Of the step's thread
+  int64_t started_ns_ = 0;  // set before the thread starts
+  // used by the step's thread: wall and simulated time of the last sample with all known values; end of the forced rest
   int64_t heard_ns_ = 0;
   double heard_s_ = 0, rest_until_ = 0;
   base::SnapshotRing<Wanted> wanted_;
@@ -106,10 +106,10 @@ class IoPort final : public Port {
   std::thread thread_;
 };
 
-/// A LOCKSTEP device, asked in the step. Its clock is the scene's.
+/// A LOCKSTEP device, called in the step. Its clock is the scene's.
 class StepPort final : public Port {
  public:
-  /// `forces`: false where nobody could release the hand if the step hung, i.e. in real time. [main]
+  /// `forces`: false in real time, as nothing could release the hand if the step hung. [main]
   StepPort(host::DeviceSlot& slot, double dt, bool forces);
   void look(uint64_t step, const swage_sight& sight) noexcept override { step::show(slot_, step, sight); }
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;

@@ -7,12 +7,12 @@
 namespace swage::session {
 
 namespace {
-// N; below it the tool touches nothing. Normal contact at the hand: 0.05 to 3 N. Larger: the observer forgets
+// N; below it the tool has no contact. Usual contact force at the hand: 0.05 to 3 N. Larger: the observer forgets
 // real energy
 constexpr double kTouchForce = 1e-3;
-// s without contact after which stored energy means nothing any more (Hannaford, Ryu 2002)
+// s without contact after which the stored energy is no longer meaningful (Hannaford, Ryu 2002)
 constexpr double kForgetTime = 5e-3;
-// m/s; below it damping cannot take energy out, and dividing by it would shake
+// m/s; below it damping cannot dissipate energy, and dividing by it would cause vibration
 constexpr double kRestSpeed = 1e-4;
 constexpr double kTwoPi = 6.283185307179586;
 
@@ -60,7 +60,7 @@ swage_command ForceGuard::tick(const ForceRequest& want, const HandMotion& hand,
   out.anchor.q.w = 1;
   out.deadline_s = now_s;
 
-  // not armed, or nothing to trust: zero at once
+  // not armed, or invalid input: zero at once
   if (!accept(want, hand)) {
     applied_ = Vec{};
     heat_ -= heat_ * std::min(1.0, dt / limits_.thermal_time);
@@ -72,14 +72,14 @@ swage_command ForceGuard::tick(const ForceRequest& want, const HandMotion& hand,
     return out;
   }
 
-  // old news: let go, no faster than the slew, and fade in again afterwards
+  // outdated input: the force goes to zero, no faster than the slew, and fades in again afterwards
   const bool stale = want.age > limits_.stale || hand.age > limits_.stale;
   Vec f = stale ? Vec{} : coupling(want, hand);
   f = passive(f, dt);
   gain_ = stale ? 0 : std::min(1.0, gain_ + dt / limits_.fade_in);
   f = bounded({gain_ * f.x, gain_ * f.y, gain_ * f.z}, dt);
 
-  // the last look before the device
+  // the last check before the device
   if (!std::isfinite(f.x) || !std::isfinite(f.y) || !std::isfinite(f.z)) {
     disarm(ForceFault::kNotFinite);
     applied_ = Vec{};
@@ -96,7 +96,7 @@ swage_command ForceGuard::tick(const ForceRequest& want, const HandMotion& hand,
   return out;
 }
 
-// finite and not lost; disarms otherwise
+// true when finite and not lost; disarms otherwise
 bool ForceGuard::accept(const ForceRequest& want, const HandMotion& hand) noexcept {
   if (!armed()) return false;
   const bool whole = finite(want.force) && finite(want.anchor.p) && finite(want.anchor_twist.v) &&
@@ -136,8 +136,8 @@ ForceGuard::Vec ForceGuard::coupling(const ForceRequest& want, const HandMotion&
           want.force.z + k * (xa.z - hand.p.z) + b * (va.z - v_.z)};
 }
 
-// time-domain passivity (Hannaford, Ryu 2002), exact for a force held over the period: E is what the virtual
-// side has taken from the hand; when it has given more than it took, damping takes the difference out
+// time-domain passivity (Hannaford, Ryu 2002), exact for a force held over the period: E is the energy that the virtual
+// side has received from the hand; when it has given more than it received, damping dissipates the difference
 ForceGuard::Vec ForceGuard::passive(Vec f, double dt) noexcept {
   const double given = applied_.x * moved_.x + applied_.y * moved_.y + applied_.z * moved_.z;
   energy_ = std::min(limits_.energy_cap, energy_ - given);
@@ -152,7 +152,7 @@ ForceGuard::Vec ForceGuard::passive(Vec f, double dt) noexcept {
   return {f.x - alpha * v_.x, f.y - alpha * v_.y, f.z - alpha * v_.z};
 }
 
-// magnitude with its direction kept, then heat of the motors, then slew
+// limits the magnitude, keeping the direction, then the heat of the motors, then the slew
 ForceGuard::Vec ForceGuard::bounded(Vec f, double dt) noexcept {
   const double cold = limits_.continuous_force * limits_.continuous_force;
   if (heat_ > cold) hot_ = true;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The only way to a haptic device: one guard per device, between what the scene wants and what the hand gets.
+// The only path to a haptic device: one guard per device, between the force of the scene and that on the hand.
 //
 // Order of operations: finite check, coupling, passivity, gain ramp, magnitude, thermal limit, slew, finite
-// check. Frames: everything in the device frame D0. Threads: called by whichever thread exchanges with the
+// check. Frames: everything in the device frame D0. Threads: the thread that exchanges with the
 // device, one at a time.
 #pragma once
 
@@ -14,45 +14,45 @@
 
 namespace swage::session {
 
-/// What a device may be given. Normal values are for an arm like the Phantom Desktop: peak 7.9 N, 1.75 N for
-/// ever.
+/// Limits of a device. Usual values are for an arm like the Phantom Desktop: peak 7.9 N, 1.75 N
+/// continuous.
 struct ForceLimits {
-  double max_force = 3.0;  // N, magnitude; above 5 the arm's structure, not the scene, is felt
+  double max_force = 3.0;  // N, magnitude; above 5 the arm's own structure is felt
   double continuous_force =
-      1.75;  // N, what the motors bear for ever; more, for longer than `thermal_time`, burns them
+      1.75;  // N, continuous limit of the motors; more, for longer than `thermal_time`, burns them
   double thermal_time = 10.0;  // s, time constant of the motors
-  double slew = 300.0;         // N/s; a contact at 0.2 m/s on 500 N/m needs 100; without it a jump is a blow
+  double slew = 300.0;         // N/s; a contact at 0.2 m/s on 500 N/m needs 100; without this limit a jump is felt as a blow
   double max_stiffness =
-      1000.0;                // N/m, of the coupling; above 2b/T (b: damping of arm and hand) the loop rings
-  double max_damping = 5.0;  // N s/m; above f_c T/D (friction, period, encoder step) the encoder is heard
-  double max_speed = 1.0;    // m/s, three ticks above it disarm: no hand in a lesson is that fast
+      1000.0;                // N/m, of the coupling; above 2b/T (b: damping of arm and hand) the loop vibrates
+  double max_damping = 5.0;  // N s/m; above f_c T/D (friction, period, encoder step) the encoder steps are felt
+  double max_speed = 1.0;    // m/s, three ticks above it disarm: faster than any hand in a lesson
   double fade_in = 0.5;      // s, gain from 0 to 1 after arming or a fault
   double stale = 0.020;      // s, older requests or samples mean zero force
   double lost = 0.200;       // s, older requests or samples disarm
-  double energy_cap = 2e-3;  // J, what the virtual side may save up; more and it may kick later
-  double max_dissipation = 8.0;  // N s/m, strongest damping that passivity control may add
+  double energy_cap = 2e-3;  // J, limit of the energy stored by the virtual side; with more it may release a jolt later
+  double max_dissipation = 8.0;  // N s/m, largest damping that passivity control may add
   double filter_hz =
-      100.0;  // cut-off of the velocity; lower delays the damping, higher lets encoder steps through
+      100.0;  // cut-off of the velocity; lower delays the damping, higher passes encoder steps
 };
 
-/// Why a guard has disarmed. Needs arm() again.
+/// Cause for which a guard has disarmed. It needs arm() again.
 enum class ForceFault : uint32_t { kNone, kNotFinite, kTooFast, kLost, kStopped };
 const char* text(ForceFault);
 
-/// What the scene wants.
+/// Force of the scene, and virtual coupling to the simulated tool.
 struct ForceRequest {
   swage_vec3 force{};   // N, contact forces, already scaled to the hand
   swage_pose anchor{};  // pose of the simulated tool
   swage_twist anchor_twist{};
   double stiffness = 0;  // N/m, between anchor and hand; 0: no coupling
   double damping = 0;    // N s/m
-  double age = 0;        // s since the step that wants this
+  double age = 0;        // s since the step that computed this
 };
 
-/// Where the hand is.
+/// Motion of the hand.
 struct HandMotion {
   swage_vec3 p{}, v{};        // m, m/s
-  bool has_velocity = false;  // else it is taken from the positions
+  bool has_velocity = false;  // else the velocity is computed from positions
   double age = 0;             // s since it was measured
 };
 
@@ -65,16 +65,16 @@ class ForceGuard {
   bool armed() const noexcept { return armed_.load(std::memory_order_relaxed); }        // [any]
   ForceFault fault() const noexcept { return fault_.load(std::memory_order_relaxed); }  // [any]
 
-  /// One tick of `dt` seconds: what the device may be told. The anchor in the answer, for servos faster than
-  /// the step, has bounded stiffness and damping, faded like the force; `now_s` is the host's clock, for its
+  /// One tick of `dt` seconds: the command for the device. Its anchor, for servos faster than
+  /// the step, has bounded stiffness and damping, faded like the force; `now_s` is the host's time, for the command's
   /// deadline.
   swage_command tick(const ForceRequest&, const HandMotion&, double dt, double now_s) noexcept;
 
   double gain() const noexcept { return gain_; }
-  double energy() const noexcept { return energy_; }  // J, what the virtual side holds
+  double energy() const noexcept { return energy_; }  // J, stored by the virtual side
   double dissipated() const noexcept {
     return dissipated_;
-  }  // J, taken out by passivity control; much of it: a bad exercise
+  }  // J, dissipated by passivity control; a large value shows a bad exercise
   const ForceLimits& limits() const noexcept { return limits_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// From the options of a run to its lesson file and its plugins.
+// The lesson file and the plugins for the options of a run.
 #pragma once
 
 #include "assembly/lesson_file.hpp"
@@ -9,8 +9,8 @@
 
 namespace swage::session {
 
-/// The lesson's file with the other values that were asked for. A faulty one is read as far as it goes: one run tells everything that
-/// is wrong with it. [main]
+/// The lesson's file with the settings of the options. A faulty file is read as far as possible, so that one run reports all of its
+/// faults. [main]
 assembly::LessonFile read_lesson(const Options& options, Problems& problems);
 
 /// The plugins that a run may use. [main]

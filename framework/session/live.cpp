@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// the part of a table that may change, none of it required
+// the parameters of a table that may change, none of them required
 host::ParamTable live_part(const host::ParamTable& table, std::vector<uint32_t>& index) {
   host::ParamTable part;
   for (uint32_t i = 0; i < table.size(); ++i) {
@@ -41,7 +41,7 @@ bool live_commands(const host::Instance& instance, uint32_t ordinal, const host:
   const Json json = Json::parse(params_json, nullptr, false);
   base::Problems found;
 
-  // what is known but stands still
+  // known parameters that are not live
   const Json object = json.is_object() ? json : Json::object();
   for (const auto& item : object.items()) {
     const auto same = [&](const host::Param& p) { return p.id == item.key(); };

@@ -13,25 +13,25 @@ namespace swage::session {
 
 namespace {
 
-// what people and devices may send between two steps; normal is 0 to 2 per step
+// limits of the input between two steps; usual are 0 to 2 per step
 constexpr std::size_t kCommands = 64, kPointers = 256;
 // events until the console fetches them; at 60 frames a second and 5 events per step that is a whole second
 constexpr std::size_t kEvents = 8192;
-// which cues of the scene may be felt: the lesson's file says whether, each cue whether force suits it
+// cues of the scene that may be felt: by the lesson file, and by the channels of each cue
 std::vector<bool> felt(const snapshot::SceneCard& card) {
   std::vector<bool> out;
   for (const uint32_t channels : card.cue_channels)
     out.push_back((card.cues & channels & SWAGE_CHANNEL_FORCE) != 0);
   return out;
 }
-// steps between two snapshots: 250 a second in real time; a run without a clock has hardly a reader
+// steps between two snapshots: 250 a second in real time; a run without real time is rarely displayed
 constexpr uint64_t kShowRealtime = 4, kShowFastest = 64;
-// commands taken in one step; the rest waits
+// commands taken in one step; the others wait
 constexpr int kCommandsPerStep = 16;
-// a paused run without a clock sleeps so long between two looks
+// ns that a paused run without real time sleeps between two polls
 constexpr int64_t kPausedSleep = 1'000'000;  // ns
-// s without a whole sample after which the lesson waits for a hand, and under which it is back. A tracker that is covered for a
-// moment does not stop a lesson
+// s without a complete sample after which the lesson waits for a hand, and below which the hand is back. A tracker that is covered
+// for a moment does not stop a lesson
 constexpr double kHandLost = 0.5, kHandBack = 0.1;
 
 }  // namespace
@@ -58,7 +58,7 @@ Loop::Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, recor
 bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   if (stop_.load(std::memory_order_relaxed)) return end(Ending::kStopped, stats);
 
-  // a paused scene pushes nobody; the step that tells of a lost hand is still made
+  // a paused scene exerts no force; the step that reports a lost hand is still done
   const bool waits = hand_lost_;
   const bool asked = paused_.load(std::memory_order_relaxed);
   if (settings_.realtime && !asked) watch_hands();
@@ -83,7 +83,7 @@ bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   return now == Ending::kNone || end(now, stats);
 }
 
-// commands of people, and what the step must be told of its own thread
+// takes commands of people, and reports on the step's own thread
 void Loop::listen(const RtThread::Tick& tick) noexcept {
   step::Command command;
   for (int i = 0; i < kCommandsPerStep && command_in_.try_pop(command); ++i) take_command(command);
@@ -108,7 +108,7 @@ void Loop::tell(judge::HostEvent event, double value) noexcept {
   take_command(command);
 }
 
-// A hand that gives nothing valid any more holds in the step; after half a second the lesson waits for it.
+// A hand without valid samples holds in the step; after half a second the lesson waits for it.
 void Loop::watch_hands() noexcept {
   bool any = false;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -140,8 +140,8 @@ void Loop::take_command(const step::Command& command) noexcept {
   recorder_->command(out);
 }
 
-// Movements add up, everything else is as it was last. What was pressed is down for a step at least: letting it go waits for the
-// next one, or a short stroke of a key would never be seen.
+// Movements add up, all other values are the newest. A key that was pressed is down for at least one step: its release waits for the
+// next step, or a short stroke would never be seen.
 void Loop::take_pointer() noexcept {
   swage_pointer& now = pointer_;
   now.dx = now.dy = now.wheel = 0;
@@ -173,7 +173,7 @@ void Loop::feel() noexcept {
   for (const contact::Contact& c : engine_.contacts().contact) hardest_ = std::max(hardest_, c.f_a_W.norm());
 }
 
-// what devices tell, after the n signals of the scene; how many there are then
+// writes the device signals after the n signals of the scene; returns the new number
 uint32_t Loop::listen_to_devices(double* signal, uint32_t n) const noexcept {
   for (const Port* port : ports_) {
     port->told(signal + n);
@@ -182,7 +182,7 @@ uint32_t Loop::listen_to_devices(double* signal, uint32_t n) const noexcept {
   return n;
 }
 
-// records, events and snapshots of the step that was just made
+// publishes records, events and snapshot of the last step
 void Loop::keep(const LoopStats& stats) noexcept {
   steps_.store(engine_.world().step, std::memory_order_relaxed);
   for (const judge::Event& e : engine_.events()) {
@@ -226,7 +226,7 @@ void Loop::show(const LoopStats& stats) noexcept {
   channel_.publish(s);
 }
 
-// Is it over? A quarantine voids the attempt but lets it run on to its end, unless nobody is left who could end it.
+// Checks for the end. A quarantine voids the attempt but lets it run to its end, unless nothing is left that could end it.
 Ending Loop::judge() const noexcept {
   if (hardest_ > step::kMaxContactForce) return Ending::kImpossible;
   if (engine_.verdict().outcome != judge::Outcome::kRunning) return Ending::kVerdict;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the step thread does around a step: commands in, snapshots, events and records out, and the end of an attempt.
+// The step thread's work around a step: commands in, snapshots, events and records out, and the end of an attempt.
 #pragma once
 
 #include <swage/abi/device.h>
@@ -22,7 +22,7 @@
 
 namespace swage::session {
 
-/// Why an attempt ended.
+/// Cause of the end of an attempt.
 enum class Ending : uint32_t { kNone, kVerdict, kStopped, kTimeLimit, kLessonTimeLimit, kHandEnded, kVoid, kImpossible };
 
 class Loop {
@@ -30,19 +30,19 @@ class Loop {
   struct Settings {
     bool realtime = true;
     bool start_paused = false;
-    double max_time_s = 0;                  // of the caller; 0: none
-    double lesson_max_time_s = 0;           // of the lesson; 0: none
-    std::vector<CuePulse> cue_pulses = {};  // how cues feel; those that the lesson lets feel
+    double max_time_s = 0;                  // limit of the caller; 0: none
+    double lesson_max_time_s = 0;           // limit of the lesson; 0: none
+    std::vector<CuePulse> cue_pulses = {};  // pulses of the cues that the lesson allows to be felt
   };
 
-  /// `recorder` may be nullptr. Everything outlives the loop. [main]
+  /// `recorder` may be nullptr. All arguments outlive the loop. [main]
   Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, record::Recorder* recorder,
        const Settings& settings);
 
   /// One period. False: the attempt is over. [rt]
   bool tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept;
 
-  // --- from outside; one caller at a time each
+  // --- called from outside; one caller at a time each
   bool command(const step::Command& command) { return command_in_.try_push(command); }  // [main]
   void pause(bool on) { paused_.store(on, std::memory_order_relaxed); }                 // [main]
   void stop() { stop_.store(true, std::memory_order_relaxed); }                         // [any]
@@ -56,9 +56,9 @@ class Loop {
 
   // --- valid once finished
   Ending ending() const { return ending_; }
-  double hardest() const { return hardest_; }  // N, the greatest force at one contact
+  double hardest() const { return hardest_; }  // N, greatest force at one contact
   const snapshot::LoopHealth& health() const { return out_->health; }
-  /// How often a port's hand was lost, and for how long the lesson waited, s.
+  /// How often a port's hand was lost, and for how long the lesson waited for it, s.
   uint32_t times_lost(std::size_t port) const { return lost_[port].times; }
   double seconds_lost(std::size_t port) const { return lost_[port].seconds + lost_[port].longest_now; }
   /// Simulated seconds in which a device that gives forces was switched off by its guard.
@@ -86,8 +86,8 @@ class Loop {
 
   base::SpscRing<step::Command> command_in_;
   base::SpscRing<swage_pointer> pointer_in_;
-  swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of this step
-  swage_pointer waiting_pointer_{};  // taken from there, and not yet due
+  swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of the present step
+  swage_pointer waiting_pointer_{};  // taken from pointer_in_, and not yet due
   bool pointer_waits_ = false;
   base::SpscRing<judge::Event> event_out_;
   snapshot::Channel channel_;
@@ -98,8 +98,8 @@ class Loop {
 
   struct Lost {
     uint32_t times = 0;
-    double seconds = 0;      // in all
-    double longest_now = 0;  // of the present loss; 0: it is here
+    double seconds = 0;      // total
+    double longest_now = 0;  // of the present loss; 0: not lost
   };
   std::vector<Lost> lost_;  // of each port
   bool hand_lost_ = false;

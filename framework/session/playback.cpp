@@ -19,13 +19,13 @@ namespace swage::session {
 
 namespace {
 
-// steps between two kept states: winding back costs at most so many steps again, about 20 ms; a quarter of an hour keeps
+// steps between two stored states: rewinding repeats at most this number of steps, about 20 ms; a quarter of an hour stores
 // 1800 states of a few kilobytes
 constexpr uint64_t kKeep = 500;
 
 namespace fs = std::filesystem;
 
-// the files of a recording, in a folder of their own for as long as this lives
+// the files of a recording, in a temporary folder with the lifetime of this object
 class Unpacked {
  public:
   explicit Unpacked(const std::vector<record::FileInfo>& files) {
@@ -33,7 +33,7 @@ class Unpacked {
     folder_.emplace("replay");
     if (folder_->path().empty()) return;
     for (const record::FileInfo& file : files) {
-      // a number in front: two folders may hold files of one name. The rest only helps people
+      // a number in front: two folders may hold files of the same name. The rest is for people
       const std::string name = std::to_string(path_.size()) + "_" + fs::path(file.name).filename().string();
       const fs::path path = folder_->path() / name;
       std::ofstream(path, std::ios::binary) << file.bytes;
@@ -47,7 +47,7 @@ class Unpacked {
   std::map<std::string, std::string> path_;
 };
 
-// attempts of format 1 do not say how to read their samples: their devices are asked
+// attempts of format 1 lack the flags for reading their samples: their devices are created
 assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& files) {
   assembly::Overrides out;
   out.files = files.paths();
@@ -59,7 +59,7 @@ assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& f
   return out;
 }
 
-// other versions may well give other bits: told, not refused
+// other versions may give other bits: a warning, no refusal
 void tell_other_versions(const host::Rig& rig, const record::AttemptInfo& info, base::Problems& problems) {
   const std::vector<host::Instance*> all = host::instances(rig);
   for (std::size_t i = 0; i < std::min(all.size(), info.plugins.size()); ++i) {
@@ -72,7 +72,7 @@ void tell_other_versions(const host::Rig& rig, const record::AttemptInfo& info, 
 
 }  // namespace
 
-// gives the recorded sample of each step, whatever is asked
+// gives the recorded sample of each step, for any request
 class Playback::Port final : public step::DevicePort {
  public:
   void read(uint64_t, double, swage_sample& sample) noexcept override { sample = sample_; }
@@ -155,7 +155,7 @@ bool Playback::step() {
   return true;
 }
 
-// what a live parameter was before is not part of the state: a kept one is of use only when none has changed since
+// live parameters are not part of the state: a stored state is valid only if none has changed since
 bool Playback::live_change_between(uint64_t from, uint64_t to) const {
   return std::any_of(recording_.commands.begin(), recording_.commands.end(),
                      [&](const record::CommandRecord& c) {
@@ -169,7 +169,7 @@ void Playback::back_to(uint64_t target) {
                                       [](uint64_t t, const Kept& k) { return t < k.at; });
   const Kept* kept = after == kept_.begin() ? nullptr : &*(after - 1);
   if (!kept || live_change_between(kept->at, at_) || !engine_->restore(kept->image)) {
-    base::Problems quiet;  // what was built once is built again
+    base::Problems quiet;  // the rig was built before without problems
     build(quiet);
     return;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A recorded attempt to look at: the scene is stepped again on the recorded samples and commands, and can be wound back.
-// Threads: [main]; nothing here has a clock.
+// Playback of a recorded attempt: the scene is stepped again on the recorded samples and commands, and can be rewound.
+// Threads: [main]; no clock is used.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace swage::session {
 class Playback {
  public:
   /// Builds the scene from the recording's own descriptor. nullptr and `problems` when it cannot be built (a plugin is
-  /// missing). Devices need not be there: their samples are. `recording` outlives the playback.
+  /// missing). Devices need not be installed: their samples are recorded. `recording` outlives the playback.
   static std::unique_ptr<Playback> open(const record::Recording& recording,
                                         const std::vector<std::string>& plugin_dirs,
                                         base::Problems& problems);
@@ -31,20 +31,20 @@ class Playback {
   const host::Rig& rig() const { return *rig_; }
   const step::Engine& engine() const { return *engine_; }
 
-  /// Steps made so far: what is shown is the state after so many. 0 is the start.
+  /// Steps done so far: the displayed state is that after this number of steps. 0 is the start.
   uint64_t at() const { return at_; }
-  /// Steps that can be shown: all, or those up to the first that was not recorded.
+  /// Steps that can be displayed: all, or those up to the first that was not recorded.
   uint64_t count() const { return count_; }
 
   /// One step forward. False at the end.
   bool step();
-  /// Towards the state after `target` steps, at most `most` steps of work, so that a window stays awake; true when there.
-  /// Backwards starts from the last kept state before the target.
+  /// Steps towards the state after `target` steps, by at most `most` steps, so that a window stays responsive; true when it is reached.
+  /// Backwards it starts from the last stored state before the target.
   bool toward(uint64_t target, uint64_t most);
   void fill(snapshot::Snapshot& out) const { engine_->fill(out); }
 
-  /// The first step whose hash is not the recorded one; count() when none was found so far. Another version of a plugin
-  /// gives other bits: what is seen from there on is like the attempt, but is not the attempt.
+  /// The first step whose hash differs from the recorded one; count() when none was found so far. Another version of a plugin
+  /// gives other bits: the display from there on resembles the attempt, but is not the attempt.
   uint64_t first_difference() const { return first_difference_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace swage::session {
 namespace {
 
-// "R" of proc(5): it runs, or would if it had a processor.
+// "R" of proc(5): running, or runnable.
 bool runnable(pid_t tid) {
   char path[48], line[256] = {};
   std::snprintf(path, sizeof path, "/proc/self/task/%d/stat", static_cast<int>(tid));
@@ -18,12 +18,12 @@ bool runnable(pid_t tid) {
   if (!file) return false;
   const size_t n = std::fread(line, 1, sizeof line - 1, file);
   std::fclose(file);
-  // the name stands in brackets and may hold any sign
+  // the name is in brackets and may contain any character
   const char* name_end = n > 0 ? std::strrchr(line, ')') : nullptr;
   return name_end && name_end[1] == ' ' && name_end[2] == 'R';
 }
 
-// The clock of a thread's processor time is made of its number, see clock_getcpuclockid(3) and the kernel's posix-timers.h.
+// The clock id of a thread's processor time is computed from its tid, see clock_getcpuclockid(3) and the kernel's posix-timers.h.
 int64_t cpu_of(pid_t tid) {
   timespec t{};
   const auto clock = static_cast<clockid_t>((~static_cast<unsigned>(tid) << 3) | 6u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tells a thread that waits for a processor from one that hangs: on a busy machine the first is to be left alone.
+// Distinguishes a thread that waits for a processor from one that hangs, so that a busy machine is not taken for a hang.
 #pragma once
 
 #include <sys/types.h>
@@ -11,8 +11,8 @@ namespace swage::session {
 
 class ProcessorWait {
  public:
-  /// Whether thread `tid` of this process could have run since the last call and had a processor for less than half of that time. False of
-  /// a thread that waits for anything else, of one that is not there, and at the first call. By one thread at a time. [any]
+  /// True when thread `tid` of this process was runnable since the last call and ran for less than half of that time. False for a
+  /// thread that waits for anything else, for one that does not exist, and at the first call. One caller at a time. [any]
   bool starved(pid_t tid);
 
  private:

@@ -30,7 +30,7 @@ Vec3 middle(std::span<const Touched> points, swage_vec3 Touched::* of) {
   return sum / static_cast<double>(points.size());
 }
 
-// rms distance from the line that fits the points best
+// rms distance from the line of best fit
 double spread(std::span<const Touched> points, swage_vec3 Touched::* of, const Vec3& centre) {
   Mat3 around = Mat3::Zero();
   for (const Touched& t : points) {
@@ -54,7 +54,7 @@ std::string fit_registration(std::span<const Touched> points, Registration& out)
   Mat3 cross = Mat3::Zero();
   for (const Touched& t : points) cross += (toolkit::vec(t.p_S) - c_S) * (toolkit::vec(t.p_D) - c_D).transpose();
   const Eigen::JacobiSVD<Mat3> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double hand = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;  // a rotation is no mirror image
+  const double hand = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;  // excludes reflections
   const Mat3 R_SD = svd.matrixU() * Vec3(1, 1, hand).asDiagonal() * svd.matrixV().transpose();
   Registration found;
   const Pose X_SD(Vec3(c_S - R_SD * c_D), Quat(R_SD).normalized());

@@ -17,7 +17,7 @@ namespace {
 
 using base::Severity;
 
-// simulated s after which nobody watches any more, where a lesson sets no end of its own
+// s, simulated: limit where a lesson has none of its own
 constexpr double kLongest = 600;
 
 }  // namespace

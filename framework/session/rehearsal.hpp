@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A lesson as its scripted hands play it, to look at: stepped without a clock, nothing is kept, no device is touched.
+// Rehearsal: a lesson played by its scripted hands, for display: stepped without a clock, nothing is stored, no device is used.
 // Threads: opened and destroyed on [main]; stepped and read by one thread at a time. It may run beside a session.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace swage::session {
 
 class Rehearsal {
  public:
-  /// Builds the lesson of `options` with its hand of that name. nullptr and `problems` where it has none, or where its hand is a live
+  /// Builds the lesson of `options` with its hand of that name. nullptr and `problems` where there is none, or where it is a live
   /// device.
   static std::unique_ptr<Rehearsal> open(const Options& options, const char* hand, Problems& problems);
   ~Rehearsal();
@@ -25,9 +25,9 @@ class Rehearsal {
   Rehearsal& operator=(const Rehearsal&) = delete;
 
   const snapshot::SceneCard& card() const { return rig_->card; }
-  /// Steps made so far.
+  /// Steps done so far.
   uint64_t at() const { return at_; }
-  /// The lesson has its verdict, or all hands have come to their end.
+  /// True when the lesson has its verdict, or all hands have ended.
   bool over() const { return over_; }
   /// One step forward. False at the end.
   bool step();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A recorded attempt stepped again: same samples, same commands, same bits.
+// Replay of a recorded attempt: same samples, same commands, same bits.
 #include <memory>
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace swage::session {
 
 namespace {
 
-// Which part of the scene differs cannot be read from one hash; but what the signals say can be compared object by object.
+// One hash does not tell which part of the scene differs; but the signals can be compared instance by instance.
 std::string who_differs(const host::Rig& rig, const float* recorded) {
   const auto differs = [&](const host::Range& range) {
     for (uint32_t i = range.first; i < range.first + range.count; ++i)
@@ -31,7 +31,7 @@ std::string who_differs(const host::Rig& rig, const float* recorded) {
   return out.empty() ? "" : out + " differ";
 }
 
-// from this step on a plugin was in quarantine: what it did, or when the clock lost patience with it, is not repeatable
+// the step from which a plugin was in quarantine: its misbehaviour, and the time at which the guard stopped it, are not reproducible
 uint64_t void_from(const record::Recording& recording) {
   for (const judge::Event& e : recording.events) {
     if (e.event >= recording.info.script.events.size()) continue;
@@ -40,7 +40,7 @@ uint64_t void_from(const record::Recording& recording) {
   return ~uint64_t{0};
 }
 
-// what the lesson says after the steps that were made
+// verdict of the lesson after the steps done
 Result verdict_of(const Playback& again) {
   const judge::Verdict& said = again.engine().verdict();
   const judge::Script& script = again.rig().script;

@@ -17,13 +17,13 @@ namespace swage::session {
 
 namespace {
 
-// above normal threads and serial readers (60), below a haptic servo (80); the wrong order lets a reader
+// above normal threads and serial readers (60), below a haptic servo (80); otherwise a reader could
 // delay the step
 constexpr int kFifoPriority = 70;
-// bytes of stack touched before the first step; a page first touched inside a step costs a fault of 1 to 50
+// bytes of stack touched before the first step; a page first touched within a step costs a fault of 1 to 50
 // us
 constexpr std::size_t kStack = 256 * 1024;
-// steps made up for in one wake-up; more, and a hand that moved on is dragged through old time
+// steps caught up in one wake-up; with more, a moving hand lags behind
 constexpr int64_t kCatchUp = 4;
 
 __attribute__((noinline)) void touch_stack() {
@@ -32,7 +32,7 @@ __attribute__((noinline)) void touch_stack() {
   static_cast<void>(page[0]);
 }
 
-// pages are locked as they are touched: locking whole reservations would pull in gigabytes of graphics
+// pages are locked when they are touched: locking whole reservations would load gigabytes of graphics
 // mappings
 bool lock_memory() {
   rlimit limit{};
@@ -108,7 +108,7 @@ void RtThread::start(std::function<void(const RtGrant&)> ready) {
   });
 }
 
-// one tick, timed; blame is processor time, the deadline is wall time
+// one timed tick; overruns count by wall time, own overruns by processor time
 bool RtThread::one(const Tick& tick, int64_t deadline) {
   beats_.fetch_add(1, std::memory_order_relaxed);
   const int64_t wall0 = base::wall_ns(), cpu0 = base::cpu_ns();

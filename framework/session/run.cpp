@@ -29,23 +29,23 @@ namespace {
 
 using base::Severity;
 
-// Own processor time that a plugin may use per step. A fifth of a step: five plugins at their limit still fit. Builds for
-// finding faults calculate many times slower.
+// Own processor time of a plugin per step. A fifth of a step: five plugins at their limit still fit. Builds for
+// finding faults run many times slower.
 #if defined(__OPTIMIZE__) && !defined(SWAGE_SANITIZED)
 constexpr double kBudget = 200e-6;  // s
 #else
 constexpr double kBudget = 20e-3;  // s
 #endif
-// how long before the call a person's mark lies: what was worth marking has just been seen
+// s by which a person's mark is dated back: the event has just been seen
 constexpr double kMarkBack = 2.0;  // s
-// bytes of files that an attempt carries along; hands on file have some thousand, meshes some million
+// limit of the bytes of files stored with an attempt; scripted hands have some thousand, meshes some million
 constexpr std::size_t kMostAttached = std::size_t{16} << 20;
 
 std::string lost_text(const host::Instance& device, const char* call, double limit_s) {
   return say::kLeftBehind(device.plugin_id, device.plugin_version, call, host::format_number(limit_s));
 }
 
-// what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
+// adds data that a replay elsewhere needs beside the samples: the devices of the hands, and the files that the lesson names
 void add_attachments(const host::Rig& rig, record::AttemptInfo& info, Problems& problems) {
   for (const host::DeviceSlot& slot : rig.devices) {
     const host::Instance& i = *slot.instance;
@@ -65,9 +65,9 @@ void add_attachments(const host::Rig& rig, record::AttemptInfo& info, Problems& 
   }
 }
 
-// The calibration that an open device measures with, as it says; "" for none.
+// The calibration that an open device uses, as it reports; "" for none.
 std::string calibration_of(host::Instance& instance) {
-  constexpr uint64_t kMost = 1 << 20;  // bytes; ours have some thousand
+  constexpr uint64_t kMost = 1 << 20;  // bytes; usual are some thousand
   const auto* table = static_cast<const swage_device_calibration*>(instance.extension(SWAGE_EXT_CALIBRATION));
   std::string out;
   if (table == nullptr || table->text == nullptr) return out;
@@ -86,7 +86,7 @@ int32_t eyes_of(const record::Display& display) {
   return display.stereo ? SWAGE_EYES_STEREO : SWAGE_EYES_MONO;
 }
 
-// the attempt under way, for whoever has to end the program in the middle of it
+// the attempt in progress, for code that ends the program during it
 std::atomic<Run*> Run::current_{nullptr};
 
 Run::Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig,
@@ -182,7 +182,7 @@ void Run::open_port(host::DeviceSlot& slot, Problems& problems) {
                         say::kNoForces(instance.plugin_id)});
 }
 
-// What devices tell follows the scene's own signals, in the record and on the screen.
+// Appends the signals of devices to the scene's own, in the record and on the screen.
 void Run::add_signals(Problems& problems) {
   std::vector<judge::Name>& all = rig_->card.script.signals;
   for (const auto& port : ports_) {
@@ -203,7 +203,7 @@ void Run::add_signals(Problems& problems) {
   }
 }
 
-// A device whose exchange has not come back is not closed: one caller at a time.
+// A device whose exchange has not returned is not closed: one caller at a time.
 void Run::close_devices(Problems& problems) {
   std::vector<const host::Instance*> lost;
   for (const auto& port : ports_) {
@@ -217,7 +217,7 @@ void Run::close_devices(Problems& problems) {
     host::Instance& instance = *slot->instance;
     if (std::find(lost.begin(), lost.end(), &instance) != lost.end()) continue;
     const auto close = [&instance, device = slot->device] {
-      // also in quarantine: what it holds must be given back
+      // also in quarantine: its resources must be released
       host::detail::contained(instance, host::Call::kClose, 0, [&] { device->close(instance.raw); });
     };
     if (bounded_call(close, driver_limits().close)) continue;
@@ -228,7 +228,7 @@ void Run::close_devices(Problems& problems) {
 }
 
 void Run::open_record(Problems& problems) {
-  // a demonstration is nobody's attempt
+  // a demonstration is not recorded
   if (options_.store_path == ":none:" || rig_->card.mode == "demo") return;
   record::AttemptInfo info;
   info.person = options_.person;
@@ -249,7 +249,7 @@ void Run::open_record(Problems& problems) {
       info.files.push_back({record::kCalibrationFile + slot.instance->name, std::move(text)});
   info.display = options_.display;
   info.script = rig_->script;
-  info.script.signals = rig_->card.script.signals;  // with what devices tell
+  info.script.signals = rig_->card.script.signals;  // with those of the devices
   info.seed = rig_->seed;
   info.dt = rig_->world.dt;
   info.realtime = realtime();
@@ -324,7 +324,7 @@ void Run::wait() {
   if (started_) close();
 }
 
-// Waits for the end of the attempt and keeps its result before any device is asked to leave. The watchdog sees all of it.
+// Waits for the end of the attempt and stores its result before any device is closed. The watchdog runs meanwhile.
 void Run::close() {
   if (closed_) return;
   closed_ = true;
@@ -341,7 +341,7 @@ void Run::close() {
   watchdog_->stop();
 }
 
-// what is said about the record is what is found on the disk
+// result of reading the record back from the disk
 void Run::tell_kept(const record::Kept& kept) {
   result_.not_kept = kept.where == record::Kept::Where::kNowhere;
   if (result_.not_kept) result_.attempt_id.clear();

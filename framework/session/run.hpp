@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The session behind the facade: owns the scene, the threads and the record of one attempt.
+// Implementation of Session: owns the scene, the threads and the record of one attempt.
 #pragma once
 
 #include <atomic>
@@ -30,7 +30,7 @@ class Run final : public Session {
       std::unique_ptr<Sentinel> sentinel);
   ~Run() override;
 
-  /// Opens devices and the record. False: `problems` say why. [main]
+  /// Opens devices and the record. False: the reasons are in `problems`. [main]
   bool prepare(Problems& problems);
 
   const snapshot::SceneCard& card() const override { return rig_->card; }
@@ -68,7 +68,7 @@ class Run final : public Session {
   const host::Catalogue catalogue_;
   std::unique_ptr<Sentinel> sentinel_;  // outlives the plugins
   std::unique_ptr<host::Rig> rig_;
-  ProcessorWait processor_wait_;  // of the step's thread; the watchdog asks
+  ProcessorWait processor_wait_;  // of the step's thread; read by the watchdog
   std::unique_ptr<Watchdog> watchdog_;
   std::vector<std::unique_ptr<Port>> ports_;
   std::vector<host::DeviceSlot*> opened_;
@@ -79,9 +79,9 @@ class Run final : public Session {
 
   static std::atomic<Run*> current_;
   std::atomic<const host::LastCall*> last_call_{nullptr};  // of the step thread
-  uint64_t idle_beats_ = 0;                                // the watchdog's pulse once the attempt has ended
+  uint64_t idle_beats_ = 0;                                // heartbeat for the watchdog after the attempt has ended
   uint32_t marks_ = 0;
-  bool left_ = false;  // a device has not come back from a call: what its thread may use is never destroyed
+  bool left_ = false;  // a device has not returned from a call: data that its thread may use are never destroyed
   bool started_ = false, closed_ = false;
   std::string grant_;
   Problems problems_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Run: how an attempt ended, in numbers and sentences; also where a plugin ends it.
+// Run: the end of an attempt, in numbers and sentences; also where a plugin causes it.
 #include <unistd.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 using base::Severity;
 
-// exit status when a plugin does not come back (sysexits: internal software error)
+// exit status when a plugin does not return (sysexits: internal software error)
 constexpr int kExitHung = 70;
 
 const char* text(Ending ending) {
@@ -80,9 +80,9 @@ Result Run::make_result(Ending ending) const {
   return out;
 }
 
-// What a person must know before believing the numbers: the time was not the hand's, or nothing was felt.
+// Reports circumstances that distort the numbers: time ran slower than the hand's, or forces were off.
 void Run::tell_circumstances(Result& out) const {
-  // one step in twenty is noticed by nobody and comes with every busy machine
+  // one omitted step in twenty is not perceptible, and occurs on every busy machine
   constexpr double kSlow = 0.95;
   const double made = static_cast<double>(out.health.executed), lost = static_cast<double>(out.health.dropped);
   if (made + lost > 0) out.speed = made / (made + lost);
@@ -122,8 +122,8 @@ void Run::ended_by_plugin(const host::LastCall& call, const char* cause) {
   if (Run* run = current_.exchange(nullptr)) run->save_void("host.ended");
 }
 
-// On the watchdog's thread, while the step thread is lost in a call: what there is, is saved, and the program ends with the
-// name of the culprit. A slow disk or a machine that was held up is nobody's hang.
+// On the watchdog's thread, while the step thread hangs in a call: saves the existing data, and ends the program with the
+// name of the plugin. A slow disk or a suspended machine is no hang.
 void Run::hung() {
   const host::LastCall* last = last_call_.load();
   const host::Instance* culprit = last ? last->instance.load(std::memory_order_acquire) : nullptr;

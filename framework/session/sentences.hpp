@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this room tells of devices, of scenes that run and of attempts that ended. Tests name them, and never repeat their words.
+// Messages of this room about devices, running scenes and ended attempts. Tests refer to their names and never repeat their words.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -9,7 +9,7 @@ namespace swage::session::say {
 
 using base::operator""_sentence;
 
-// a scene that runs
+// a running scene
 inline constexpr auto kNotLive = "\"{}\" of {} cannot change while the scene runs. {}"_sentence;
 inline constexpr auto kLiveNothing = "Nothing of it can."_sentence;
 inline constexpr auto kLiveAre = "What can: {}."_sentence;
@@ -29,13 +29,13 @@ inline constexpr auto kFileNotKept =
 
 inline constexpr auto kRecordedWith = "Recorded with {} {}, replayed with {} {}."_sentence;  // plugin, version; plugin, version
 
-// where an arm stands
+// registration of an arm
 inline constexpr auto kFewPoints = "A registration needs three points, and four to be checked; there are {}."_sentence;
 inline constexpr auto kPointNoNumber = "A point of the registration is not a number."_sentence;
 inline constexpr auto kOneLine = "The points lie in one place or one line, {} wide; {} are needed. Does the arm say where its tip is?"_sentence;
 inline constexpr auto kPointOff = "One point is {} off the others; {} are allowed. Was the arm moved meanwhile, or the tip led to another mark?"_sentence;
 
-// what became of an attempt
+// the record of an attempt
 inline constexpr auto kNotRecorded = "step {} was not recorded"_sentence;
 inline constexpr auto kQuarantined = "a plugin was in quarantine from step {} on"_sentence;
 inline constexpr auto kPressed =

@@ -28,12 +28,12 @@ constexpr const char* kPrefix = "last_call.";
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::size_t kHandlerStack = 64 * 1024;
 
-// what a handler may touch: prepared on [main], plain data only
+// data that a handler may use: prepared on [main], plain data only
 std::atomic<int> file{-1};
 std::array<struct sigaction, kSignals.size()> before;
 
 // [main]
-int watching = 0;  // sentinels of this process
+int watching = 0;  // number of sentinels of this process
 std::string own_path;
 
 void put(int fd, const char* text) noexcept {
@@ -55,7 +55,7 @@ void put(int fd, uint64_t number) noexcept {
 // one field per line: cause, instance, plugin, call, step
 void write_report(const host::LastCall& last, const char* cause, uint64_t number) noexcept {
   const int fd = file.exchange(-1, std::memory_order_relaxed);
-  // what stood there was only for the case that nobody could write
+  // replaces the former content, which was for the case that no handler could run
   if (fd < 0 || ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0) return;
   put(fd, cause);
   if (number > 0) put(fd, number);
@@ -74,7 +74,7 @@ void write_report(const host::LastCall& last, const char* cause, uint64_t number
 
 void handle(int signal, siginfo_t*, void*) {
   write_report(host::last_call, "signal ", static_cast<uint64_t>(signal));
-  // as if we had never been here
+  // restores the former handler
   for (std::size_t i = 0; i < kSignals.size(); ++i)
     if (kSignals[i] == signal) sigaction(signal, &before[i], nullptr);
   raise(signal);
@@ -84,7 +84,7 @@ std::string path_of(const std::string& folder, long pid) {
   return folder + "/" + kPrefix + std::to_string(pid);
 }
 
-// the process of "last_call.<pid>" still runs
+// true when the process of "last_call.<pid>" is running
 bool alive(const std::string& name) {
   const long pid = std::strtol(name.c_str() + std::strlen(kPrefix), nullptr, 10);
   return pid > 0 && (kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
@@ -130,7 +130,7 @@ Sentinel::~Sentinel() {
   if (--watching > 0 || own_path.empty()) return;
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before[i], nullptr);
   const int fd = file.exchange(-1, std::memory_order_relaxed);
-  if (fd >= 0) {  // nothing was written: nothing stays
+  if (fd >= 0) {  // no report was written: the file is removed
     ::close(fd);
     ::unlink(own_path.c_str());
   }

@@ -15,7 +15,7 @@ namespace swage::session {
 
 namespace {
 
-// plugins of a lesson that did not come with Swage, for the next start should one of them end the program without a word
+// plugins of a lesson that did not come with Swage, for the next start in case one of them ends the program without a report
 std::string foreign_plugins(const assembly::LessonFile& file, const host::Catalogue& catalogue) {
   std::set<std::string> ids;
   const auto look = [&](const assembly::PluginUse& use) {
@@ -33,11 +33,11 @@ std::string foreign_plugins(const assembly::LessonFile& file, const host::Catalo
 }  // namespace
 
 std::unique_ptr<Session> Session::open(const Options& options, Problems& problems) {
-  // how did the last run end?
+  // report of a run that crashed
   Sentinel::Report report;
   if (Sentinel::take(Sentinel::default_folder(), report)) problems.push_back(Sentinel::problem(report));
 
-  // from here on plugins are called
+  // plugins are called from here on
   auto sentinel = std::make_unique<Sentinel>();
   host::CallWatch::on_end([](const host::LastCall& call, const char* cause) { Sentinel::write(call, cause); });
 

@@ -36,9 +36,9 @@ void Watchdog::run() {
   while (!stop_.load(std::memory_order_relaxed)) {
     base::sleep_until_ns(base::wall_ns() + settings_.look_ms * 1'000'000);
 
-    // each look counts for no more than its own length, however late it came
+    // each check counts for no more than its own length, however late it was
     const uint64_t now = beats_();
-    // a thread that has not begun yet waits for a processor: nobody hangs
+    // a thread that has not begun yet waits for a processor, and does not hang
     const bool silent = now == seen && now > 0;
     silent_ms = silent ? silent_ms + settings_.look_ms : 0;
     const bool starved = silent && starved_ && starved_();

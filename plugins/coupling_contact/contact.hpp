@@ -13,8 +13,8 @@ struct ContactParams {
   double restitution = 0;
 };
 
-/// kg, of stiffness times the square of a step. Normal: 1. A grasp of a needle of 0.4 mg holds to 60 and breaks at 100 with forces of
-/// hundreds of newtons, as rounding of the stiff contact reaches what it weighs.
+/// kg: upper limit of stiffness times the step squared. Usual: 1. A grasp of a needle of 0.4 mg holds up to 60 and breaks at 100 with
+/// forces of hundreds of newtons, as rounding errors of the stiff contact reach the needle's weight.
 inline constexpr double kMostPerStep = 30;
 
 class Contact final : public Coupling<ContactParams> {

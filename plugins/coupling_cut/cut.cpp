@@ -12,8 +12,8 @@ using toolkit::Vec3;
 
 namespace {
 
-// Blades that have cut are open again when they have opened by this, rad: 0.2 mm at 10 mm. Without it they would part what lies beside the cut
-// in each step that they stay closed.
+// rad: after a cut, blades count as open once they have opened by this, 0.2 mm at 10 mm. Without it they would cut the material beside
+// the cut in each step in which they stay closed.
 constexpr double kOpens = 0.02;
 
 }  // namespace
@@ -43,7 +43,7 @@ void Cut::resolve(const CouplingStep& step) {
   }
 }
 
-/// How hard each blade presses, and where.
+/// Sums the force with which each blade presses, and the place.
 bool Cut::gather(const CouplingStep& step, Shear& shear) const {
   const auto jaws = jaws_.describe(step.a());
   if (!jaws) return false;

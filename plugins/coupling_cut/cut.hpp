@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.cut: blades part a strand that they press between them. Model and limits: coupling_cut.md.
+// swage.coupling.cut: blades cut a strand that they press between them. Model and limits: coupling_cut.md.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -14,20 +14,20 @@ struct CutParams {
   double stiffness = 1e5;  // N/m
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct CutState {
-  double cuts;    // so far
-  double closed;  // 1: it has cut, and the blades have not opened since
-  double opening;  // rad, of the blades when they did
+  double cuts;    // number so far
+  double closed;  // 1: the blades have cut and not opened since
+  double opening;  // rad, between the blades when they cut
 };
 
-/// What presses on the strand in one step.
+/// Forces and place of the contacts that press on the strand in one step.
 struct Shear {
   double left = 0, right = 0;  // N, of each blade along the closing direction
-  double weight = 0, s = 0;    // N, sum of the normal forces; m, the place weighted by them
-  double opening = 0;          // rad, of the blades
+  double weight = 0, s = 0;    // N, sum of the normal forces; m, mean place weighted by them
+  double opening = 0;          // rad, between the blades
 
-  double force() const;  // N, of the blade that presses less
+  double force() const;  // N, of the blade that presses with less force
 };
 
 class Cut final : public Coupling<CutParams> {

@@ -11,13 +11,13 @@ using toolkit::vec;
 
 namespace {
 
-// A new touch counts as one only after so long a pause, s: closing jaws bounce on a needle of 0.4 mg.
+// s: a new contact counts as a new touch only after this pause, as closing jaws bounce on a needle of 0.4 mg.
 constexpr double kTouchPause = 0.15;
-// What is below this share of a limit has left it: without the gap a force near the limit would flicker.
+// Hysteresis: a force has fallen below a limit when it is below this share of it; else a force near the limit would give repeated events.
 constexpr double kLeaves = 0.9;
 // Thesis only: particles between the outermost contacts. A jaw of 1.5 mm then has one every 50 um, half overlapping.
 constexpr int kParticles = 33;
-// A held thing is lost when a jaw falls below this share of touch_force.
+// A held object is lost when a jaw falls below this share of touch_force.
 constexpr double kLost = 0.5;
 
 double lean(const Vec3& a, const Vec3& b) { return std::asin(std::clamp(a.dot(b), -1.0, 1.0)); }
@@ -68,7 +68,7 @@ void Grasp::bind(const Peer& a, const Peer& b) {
 bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const {
   const Vec3 closing = vec(jaws.closing_W);
   for (const swage_contact& contact : step.contacts()) {
-    // what the thing does to a jaw: it pushes the left one on to the left, the right one to the right
+    // the force of the object on a jaw pushes the left jaw to the left, the right one to the right
     const Vec3 f = vec(contact.f_a_W);
     const double normal = f.dot(vec(contact.n_W));
     if (contact.body_a == jaws.left_body)
@@ -154,7 +154,7 @@ void Grasp::follow_hold(const CouplingStep& step, GraspState& state, const Pinch
   const bool was = state.held != 0;
   const double least = std::min(pinch.left, pinch.right);
 
-  // to be lost, a hold must let go or become clearly one-sided; to be won, it must be even
+  // a hold ends when its force falls or becomes clearly one-sided; it begins only when it is even
   const double floor = was ? kLost * params_.touch_force : params_.touch_force;
   const double widest = was ? std::min(1.0, 2 * params_.balance) : params_.balance;
   const bool holds = least >= floor && pinch.uneven <= widest;
@@ -181,7 +181,7 @@ void Grasp::follow_force(const CouplingStep& step, GraspState& state, const Pinc
   }
 }
 
-/// A wire that gave way or broke, wherever along it that was.
+/// Reports that the wire collapsed or broke, at any place along it.
 void Grasp::follow_wire(const CouplingStep& step) const {
   const auto end = wire_.end(step.b());
   if (!end) return;
@@ -195,7 +195,7 @@ void Grasp::finish(const CouplingStep& step) {
   if (!jaws || !gather(step, *jaws, pinch)) return discard();
   if (params_.level == Level::kThesis && !choose_particle(step, *jaws, pinch)) return discard();
 
-  // place and posture of the last touch stay: between two touches there is nothing better to say
+  // place and posture of the last touch are kept: between two touches there is no better estimate
   auto& state = step.state<GraspState>();
   if (pinch.weight > 0) {
     const Vec3 axis = vec(jaws->axis_W);

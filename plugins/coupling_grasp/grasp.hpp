@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.grasp: reads from the solved contacts how a gripper holds a thing. It changes nothing. See
+// swage.coupling.grasp: computes from the solved contacts how a gripper holds an object. It changes no contact. See
 // coupling_grasp.md.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace swage::coupling_grasp {
 
 using toolkit::Vec3;
 
-/// From the simplest to the finest.
+/// Model of the grasp, from the simplest to the most accurate.
 enum class Level : int { kThesis, kContact };
 
 struct GraspParams {
@@ -26,29 +26,29 @@ struct GraspParams {
   double skin = 25e-6;        // m
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct GraspState {
   double held = 0;                       // 0 or 1
-  double pending_s = 0;                  // s, how long the contacts have contradicted `held`
+  double pending_s = 0;                  // s, time for which the contacts have contradicted `held`
   double touching = 0;                   // 0 or 1
   double untouched_s = 0;                // s, since the last touch
   double hard = 0;                       // 0 or 1
   double held_since_s = 0;               // s
-  double s = 0;                          // where it was touched last
+  double s = 0;                          // coordinate along the object of the last contact
   double tip_reach = 0;                  // m
   double tilt_axis = 0, tilt_plane = 0;  // rad
 };
 
-/// What the contacts of one step add up to.
+/// Sums and means of the contacts of one step.
 struct Pinch {
-  double left = 0, right = 0;  // N, how hard each jaw presses along the closing direction
+  double left = 0, right = 0;  // N, force of each jaw along the closing direction
   double weight = 0;           // N, sum of the normal forces
-  double s = 0;                // weighted by normal force
+  double s = 0;                // coordinate along the object, weighted by normal force
   double slip = 0;             // m/s, likewise
   Vec3 p_W = Vec3::Zero();     // m, on the centre line
   Vec3 tangent_W = Vec3::Zero(), normal_W = Vec3::Zero();
 
-  double uneven = 1;  // of the forces, or of the penetrations: 0 for an even pinch, 1 for one jaw alone
+  double uneven = 1;  // imbalance of the forces, or of the penetrations: 0 for an even pinch, 1 for one jaw alone
 
   double force() const { return 0.5 * (left + right); }
   double imbalance() const;  // |left - right| over the harder one

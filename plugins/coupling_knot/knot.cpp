@@ -12,7 +12,7 @@ namespace {
 
 enum class Kind : int { kNone, kHalf, kSquare, kGranny, kMixed, kTangled };
 
-/// In a square knot the signs of the throws take turns, in a granny they are alike.
+/// The signs of the throws alternate in a square knot and are equal in a granny.
 Kind kind_of(const KnotTold& told) {
   if (told.tangled != 0) return Kind::kTangled;
   const int n = static_cast<int>(told.throws);
@@ -54,7 +54,7 @@ void Knot::bind(const Peer& a, const Peer& b) {
 
 void Knot::reset(const CouplingStep& step) { step.state<KnotState>() = {}; }
 
-/// The longest piece of the thread that has not parted.
+/// Finds the longest piece of the thread that has not broken, and its places.
 void Knot::look(const CouplingStep& step) {
   places_ = 0;
   const auto law = thread_.law(step.a());
@@ -100,7 +100,7 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
   } else if (said.word.others > 0) {
     seen.tangled = 1;
   } else {
-    return;  // the views contradicted each other: what was read before stands
+    return;  // the projections contradicted each other: the last reading is kept
   }
   if (!(seen == state.seen)) state.seen = seen, state.seen_s = 0;
 }
@@ -119,14 +119,14 @@ void Knot::read(const CouplingStep& step, KnotState& state) {
   take(said, state);
 }
 
-/// What has been seen for long enough is told: throws that are gone, from the last on, then those that are new.
+/// Reports what has been read unchanged for `settle`: first throws that are undone, from the last on, then new ones.
 void Knot::tell(const CouplingStep& step, KnotState& state) const {
   state.seen_s += step.dt();
   if (state.seen == state.told || state.seen_s < params_.settle) return;
   const KnotTold &old = state.told, &now = state.seen;
   if (now.tangled != 0) {
     if (old.tangled == 0) step.event(tangled_event_);
-    state.told.tangled = 1;  // the throws that were told stand
+    state.told.tangled = 1;  // the reported throws are kept
     return;
   }
   const auto count = [](const KnotTold& t) { return std::min(static_cast<int>(t.throws), KnotTold::kThrows); };
@@ -147,7 +147,7 @@ void Knot::write(const CouplingStep& step, const KnotState& state) const {
   step.signal(passages_, state.passages);
 }
 
-/// A step may be done in parts: the thread is where the part before has left it.
+/// A step may be done in substeps: the thread is where the last substep left it.
 void Knot::resolve(const CouplingStep& step) {
   look(step);
   if (places_ > 1) find_passages(step, step.state<KnotState>());

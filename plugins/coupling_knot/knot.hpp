@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.knot: names what is tied in a thread, throw by throw. It changes nothing. Model and limits: coupling_knot.md.
+// swage.coupling.knot: recognises the knot tied in a thread, throw by throw. It changes no contact. Model and limits: coupling_knot.md.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -18,25 +18,25 @@ struct KnotParams {
   int work = 1500;
 };
 
-/// What is told of a thread.
+/// The state of the knot as reported.
 struct KnotTold {
   static constexpr int kThrows = 6;
   double throws = 0;
   double tied[kThrows] = {};  // turns with their sign, the first throw first
-  double tangled = 0;         // 1: knotted in another way than by throws
+  double tangled = 0;         // 1: knotted, but not by throws
   bool operator==(const KnotTold&) const = default;
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct KnotState {
-  double places = 0, first = 0;  // of the piece that is looked at: how many, and the first of them; 0: not looked at yet
+  double places = 0, first = 0;  // of the piece that is observed: number of places, and the first; 0: not observed yet
   double reading = 0;            // 1 while the knot is being read
   double wait_s = 0;             // s, to the next reading
-  KnotTold told, seen;           // what stands; what was read last
-  double seen_s = 0;             // s, for how long
+  KnotTold told, seen;           // as reported; as read last
+  double seen_s = 0;             // s, time for which `seen` has been unchanged
   double sliding = 0, certain = 1, passages = 0;
   double loop = 0;  // m, of thread between the two strands of the first throw
-  double p_W[3 * toolkit::KnotPassages::kNodes] = {};  // m, places of the step before
+  double p_W[3 * toolkit::KnotPassages::kNodes] = {};  // m, places in the step before
   toolkit::KnotThread thread;
 };
 
@@ -84,7 +84,7 @@ class Knot final : public Coupling<KnotParams> {
   Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, loop_, certain_, passages_;
   Event tied_event_, untied_event_, tangled_event_, passage_event_;
 
-  // of the present step
+  // valid within the present step
   int places_ = 0, first_ = 0;
   double p_W_[3 * toolkit::KnotPassages::kNodes];
   double length_ = 0;

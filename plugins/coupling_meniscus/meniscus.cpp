@@ -42,7 +42,7 @@ uint32_t Meniscus::count(double length) const {
   return std::min(kPlaces, static_cast<uint32_t>(std::floor(length / params_.spacing)));
 }
 
-/// What touches the film is wetted, and lies from now on where it touches.
+/// Marks places that touch the film as wet, and stores where they lie.
 void Meniscus::resolve(const CouplingStep& step) {
   if (!moist()) return;
   const auto law = thread_.law(step.a());
@@ -50,7 +50,7 @@ void Meniscus::resolve(const CouplingStep& step) {
   auto& state = step.state<MeniscusState>();
   const uint32_t n = count(law->length);
   for (const swage_contact& contact : step.contacts()) {
-    // what passes through the surface, as in a hole, is not on it
+    // a contact that a coupling lets pass, as in a hole, is not on the surface
     if (contact.gap > environment_.film || contact.stiffness == 0) continue;
     const auto near = thread_.nearest(step.a(), contact.p_W);
     if (!near || contact.body_b >= step.b()->n_body) continue;
@@ -79,7 +79,7 @@ Meniscus::Lift Meniscus::lift(const CouplingStep& step, const swage_strand_law& 
   return out;
 }
 
-/// A tie for each wet place, along the normal: it pulls, and never pushes. First those beside a dry place, then the others.
+/// Makes a tie for each wet place, along the normal: it pulls and never pushes. First places beside a dry one, then the others.
 uint32_t Meniscus::ties(const CouplingStep& step, std::span<swage_tie> out) {
   if (!moist()) return 0;
   auto& state = step.state<MeniscusState>();
@@ -113,7 +113,7 @@ void Meniscus::on_solved(const CouplingStep& step, std::span<const swage_tie> ti
   for (const swage_tie& tie : ties) state.force += vec(tie.f_a_W).norm();
 }
 
-/// A place that is lifted out of the film, or has gone aside by more than the film is thick without touching again, is dry.
+/// A place becomes dry when it is lifted out of the film, or without a touch has moved along the surface by more than film and spacing.
 void Meniscus::finish(const CouplingStep& step) {
   const auto law = thread_.law(step.a());
   if (!moist() || !law) return step.signal(force_, 0), step.signal(wet_, 0), step.signal(left_out_, 0);

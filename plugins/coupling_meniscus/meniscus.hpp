@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.meniscus: a thread sticks to what is wet. Model and limits: coupling_meniscus.md.
+// swage.coupling.meniscus: a thread adheres to wet surfaces. Model and limits: coupling_meniscus.md.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -12,7 +12,7 @@
 
 namespace swage::coupling_meniscus {
 
-inline constexpr uint32_t kPlaces = 128;  // of a thread, most: 30 mm every 0.25 mm
+inline constexpr uint32_t kPlaces = 128;  // largest number of places of a thread: 30 mm every 0.25 mm
 inline constexpr int kMostBridges = 48;   // of the 64 ties of a scene
 
 struct MeniscusParams {
@@ -23,13 +23,13 @@ struct MeniscusParams {
 /// A place of the thread that may be wet. Plain doubles.
 struct Place {
   double wet = 0;     // 1: a bridge holds it
-  double body = 0;    // of the other object
-  double p_B[3] = {}, n_B[3] = {};  // m, unit: where it lay, and the normal there, in that body's frame
+  double body = 0;    // body index in the other object
+  double p_B[3] = {}, n_B[3] = {};  // m, unit: where the place lay, and the surface normal there, in that body's frame
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct MeniscusState {
-  double served = 0, force = 0;  // bridges of this step; N, that they bear
+  double served = 0, force = 0;  // bridges of this step; N, sum of their forces
   Place place[kPlaces];
 };
 
@@ -66,7 +66,7 @@ class Meniscus final : public Coupling<MeniscusParams>, public Ties {
   bool moist() const { return environment_.surface_tension > 0; }
   double at(uint32_t place) const { return (place + 0.5) * params_.spacing; }
   uint32_t count(double length) const;
-  /// How far a place is from where it lay [m], along the normal and across it.
+  /// Displacement of a place from where it lay [m], along the normal and across it.
   struct Lift {
     toolkit::Vec3 p_W, n_W;
     double up = 0, aside = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The smallest circle that holds some points of a plane: incrementally, a point that is outside lies on the border of the next one
-// (Welzl 1991, in the order given, so that the bits do not depend on chance). Units m. Header-only, [rt].
+// The smallest circle that encloses some points of a plane: incrementally, a point that is outside lies on the border of the next one
+// (Welzl 1991, in the given order, so that the result is bitwise reproducible). Units m. Header-only, [rt].
 #pragma once
 
 #include <cmath>
@@ -15,14 +15,14 @@ struct Circle {
   Vec2 centre = Vec2::Zero();
   double radius = 0;
 
-  /// Beyond rounding.
+  /// True when p is outside by more than rounding.
   bool leaves_out(const Vec2& p) const noexcept { return (p - centre).norm() > radius * (1 + 1e-9); }
 };
 
 inline Circle circle_through(const Vec2& a, const Vec2& b) noexcept {
   return {0.5 * (a + b), 0.5 * (b - a).norm()};
 }
-/// Through three points; of three on a line, through the two that are farthest apart.
+/// Circle through three points; of three on a line, through the two that are farthest apart.
 inline Circle circle_through(const Vec2& a, const Vec2& b, const Vec2& c) noexcept {
   const Vec2 u = b - a, v = c - a;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), cross = 2 * (u.x() * v.y() - u.y() * v.x());
@@ -36,7 +36,7 @@ inline Circle circle_through(const Vec2& a, const Vec2& b, const Vec2& c) noexce
   return {a + to, to.norm()};
 }
 
-/// Of n points, at least one.
+/// The smallest circle of n points, n at least 1.
 inline Circle smallest_circle(const Vec2* p, uint32_t n) noexcept {
   Circle around{p[0], 0};
   for (uint32_t i = 1; i < n; ++i) {

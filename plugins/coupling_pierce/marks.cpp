@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn of wounds: torn places, where they lead, whether the needle is in them.
+// Drawn marks of wounds: torn places, where they lead, whether the needle is in them.
 #include "pierce.hpp"
 
 namespace swage::coupling_pierce {
@@ -8,7 +8,7 @@ namespace swage::coupling_pierce {
 using toolkit::raw;
 using toolkit::vec;
 
-/// s at which a needle crosses a wound, or 0.
+/// Returns the s at which a needle crosses a wound, or 0.
 double Pierce::filled_at(const PierceState& state, uint32_t wound) const {
   for (const Track& track : state.track) {
     if (track.open == 0) continue;
@@ -18,7 +18,7 @@ double Pierce::filled_at(const PierceState& state, uint32_t wound) const {
   return 0;
 }
 
-/// From a wound's plane to the world, as it is drawn. What tissue tore is pulled along with it, to where the needle is.
+/// Pose of a wound's plane in the world, as drawn. With `sweep` other than kNeedle the torn tissue is drawn displaced to the needle.
 Pose Pierce::plane_in_world(const PierceState& state, const Site& site, uint32_t i) const {
   Pose X = site.X_WO;
   const double s = filled_at(state, i);

@@ -39,14 +39,14 @@ bool apart(const Polygon& p, const Vec2& low, const Vec2& high) {
 struct Edge {
   Vec2 a, b;
 
-  /// Twice the area between the origin and the stretch [from, upto] of it.
+  /// Twice the area between the origin and the stretch [from, upto] of the edge.
   double swept(double from, double upto) const { return (upto - from) * cross(a, b - a); }
   Vec2 at(double t) const { return a + t * (b - a); }
 };
 
 Edge edge(const Polygon& p, int k) { return {p.corner[k], p.corner[(k + 1) % kCorners]}; }
 
-/// Whether an edge lies in a polygon as a whole, or surely nowhere; else it must be clipped, at ten times the price.
+/// Whether an edge is wholly inside a polygon, or surely outside; else it must be clipped, at ten times the cost.
 enum class Lies { kInside, kOutside, kPartly };
 Lies lies(const Polygon& q, const Edge& e) {
   if (apart(q, e.a.cwiseMin(e.b), e.a.cwiseMax(e.b))) return Lies::kOutside;
@@ -60,7 +60,7 @@ struct Stretch {
   double from, upto;
 };
 
-/// The stretch of an edge that lies in a convex polygon; `edge_counts`: its border belongs to it. False: there is none.
+/// Finds the stretch of an edge inside a convex polygon; `edge_counts`: the border belongs to the polygon. False: there is none.
 bool clip(const Polygon& q, const Edge& e, bool edge_counts, Stretch& s) {
   const double slack = (edge_counts ? 1e-12 : -1e-12) * q.size2;
   s = {0, 1};
@@ -76,17 +76,17 @@ bool clip(const Polygon& q, const Edge& e, bool edge_counts, Stretch& s) {
   return true;
 }
 
-/// The stretch of an edge that a polygon covers; false: none.
+/// Finds the stretch of an edge that a polygon covers; false: none.
 bool covers(const Polygon& q, const Edge& e, bool edge_counts, Stretch& s) {
   const Lies place = lies(q, e);
   s = {0, 1};
   return place == Lies::kInside || (place == Lies::kPartly && clip(q, e, edge_counts, s));
 }
 
-/// What of an edge polygons cover.
+/// Stretches of an edge that polygons cover.
 class Cover {
  public:
-  /// By another polygon; `edge_counts`: its border belongs to it. False: nothing is left.
+  /// Adds the cover by one polygon; `edge_counts`: the border belongs to it. False: no part of the edge is left.
   bool by(const Polygon& polygon, const Edge& e, bool edge_counts) {
     Stretch s;
     if (!covers(polygon, e, edge_counts, s)) return true;
@@ -96,7 +96,7 @@ class Cover {
     stretch_[k] = s;
     return true;
   }
-  /// Calls f(from, upto) for each stretch that is left.
+  /// Calls f(from, upto) for each stretch that is not covered.
   template <class F>
   void rest(F&& f) const {
     double at = 0;
@@ -112,7 +112,7 @@ class Cover {
   uint32_t size_ = 0;
 };
 
-/// Calls f(edge, from, upto) for what n polygons leave of another's edges, their borders being theirs.
+/// Calls f(edge, from, upto) for the parts of a polygon's edges that n others leave uncovered; the others' borders belong to them.
 template <class F>
 void uncovered(const Polygon& polygon, const Polygon* const* other, uint32_t n, F&& f) {
   for (int k = 0; k < kCorners; ++k) {
@@ -124,7 +124,7 @@ void uncovered(const Polygon& polygon, const Polygon* const* other, uint32_t n, 
   }
 }
 
-/// Those of n polygons that another may touch.
+/// Writes those of n polygons that a further one may touch; returns their number.
 uint32_t near(const Polygon& polygon, const Polygon* other, uint32_t n, const Polygon** out) {
   uint32_t m = 0;
   for (uint32_t i = 0; i < n; ++i)
@@ -158,7 +158,7 @@ Polygon::Polygon(const Capsule& capsule, double radius) : line(capsule) {
     side[i] = corner[(i + 1) % kCorners] - corner[i];
     beside[i] = cross(side[i], corner[i]);
   }
-  constexpr double kHair = 1e-9;  // by which rounding may be wrong, of the radius
+  constexpr double kHair = 1e-9;  // bound of the rounding error, over the radius
   low = a.cwiseMin(b) - Vec2::Constant((1 + kHair) * r);
   high = a.cwiseMax(b) + Vec2::Constant((1 + kHair) * r);
   inner = (std::cos(std::numbers::pi / kCorners) - kHair) * r;
@@ -174,7 +174,7 @@ void Outline::follow(const Capsule* capsule, uint32_t n, double radius) noexcept
   while (n_ < n) insert(capsule[n_], radius);
 }
 
-/// Takes away what a polygon covers; its border does not.
+/// Removes the pieces that a polygon covers; its border does not cover.
 void Outline::cut(const Polygon& polygon) noexcept {
   uint32_t kept = 0, end = n_piece_;
   for (uint32_t i = 0; i < n_piece_; ++i) {

@@ -12,21 +12,21 @@ using toolkit::vec;
 
 namespace {
 
-// What touches within this many wire radii of the point is the point's touch.
+// Contacts within this many wire radii of the point count as contacts of the point.
 constexpr double kPoint = 6;
-// Around its holes the needle's stretch outside does not touch either, in wire radii.
+// In wire radii: part of the needle outside, around its holes, that does not touch the surface either.
 constexpr double kMouth = 6;
 // A touch that overlaps by more than this many radii when first seen is inside a hole, not on the surface.
 constexpr double kNewTouch = 2;
-// A new touch counts as one only after so long a pause, s.
+// s: a new touch counts as one only after this pause.
 constexpr double kTouchPause = 0.15;
-// A point is deflected once it has slid by this many radii from where it was refused.
+// A point is deflected once it has slid by this many wire radii from where it was refused.
 constexpr double kSlides = 2;
-// It has come back out when it is this many radii outside its entry, and goes in again when that deep.
+// In wire radii: the point is out when it is this far outside its entry, and in again when it is this deep.
 constexpr double kClear = 1;
-// Cosine of the angle to a surface's normal above which a touch is one of that surface, and not of an edge.
+// Cosine of the angle to a surface's normal above which a touch is one of that surface, not of an edge.
 constexpr double kFaceOn = 0.7;
-// A second puncture this near to a wound, in radii, belongs to it.
+// A second puncture within this many wire radii of a wound belongs to that wound.
 constexpr double kSameHole = 2;
 
 void put(double* to, const Vec3& a) {
@@ -34,8 +34,8 @@ void put(double* to, const Vec3& a) {
 }
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 
-/// Where on the needle a contact is, from its place midway between the undisturbed surfaces: however deep, the needle's lies as far
-/// on again as the tissue's lies back.
+/// Finds the place on the needle of a contact, whose p_W is midway between the undisturbed surfaces: at any depth the needle's surface is
+/// as far beyond p_W as the tissue's surface is before it.
 std::optional<swage_piercing_place> place_of(const Site& site, const swage_contact& contact) {
   const Vec3 p = vec(contact.p_W), n = vec(contact.n_W);
   double half = -0.5 * contact.gap;
@@ -70,7 +70,7 @@ void Pierce::reset(const CouplingStep& step) {
   state.last_entry = state.last_exit = -1;
 }
 
-/// What is in a hole, or just came out of one, does not touch the surface.
+/// True for a contact of a part of the needle that is in a hole, or has just come out of one: it does not touch the surface.
 bool Pierce::passes(const PierceState& state, const Site& site, const swage_contact& contact,
                     double s) const {
   const double mouth = kMouth * site.radius / site.length, end = kPoint * site.radius / site.length;
@@ -91,7 +91,7 @@ void Pierce::resolve(const CouplingStep& step) {
   if (!site.good) return discard();
   auto& state = step.state<PierceState>();
   along_ = lateral_ = pull_ = 0;
-  bool overlaps[2] = {};  // at the point, at the blunt end
+  bool overlaps[2] = {};  // at the point; at the blunt end
   for (swage_contact& contact : step.contacts()) {
     const auto place = place_of(site, contact);
     if (!place) continue;
@@ -165,7 +165,7 @@ Press Pierce::press(const CouplingStep& step, const Site& site) const {
   press.surface_W /= press.force;
   press.normal_W.normalize();
 
-  // on the entry or the far surface: where that is when nothing presses, not where it is dented to
+  // on the entry or the far surface: its undisturbed position, not the dented one
   const Vec3 up = vec(site.point_in.normal_W);
   const double along = up.dot(press.normal_W);
   if (std::abs(along) < kFaceOn) return press;
@@ -179,7 +179,7 @@ double Pierce::angle_of_point(const Site& site, const Vec3& normal_W) const {
   return angle_between(vec(site.point.tangent_W), normal_W);
 }
 
-/// Angle between the needle and the inward normal where it crosses its entry; the same hole seen from the other side is 180 deg on.
+/// Angle between the needle and the inward normal at its entry [rad, 0..pi/2]; the same hole seen from the other side gives 180 deg more.
 double Pierce::angle_in(const Site& site, const Track& track, const PierceState& state) const {
   const auto place = needle_.place(site.a, track.s_in);
   if (!place) return 0;
@@ -199,7 +199,7 @@ void Pierce::touch(const CouplingStep& step, PierceState& state, const Site& sit
   state.peak = std::max(state.peak, press.force);
 }
 
-/// It bore what would have let it in square. It is deflected when it then slides away or is taken away.
+/// The point has borne the force that punctures at a right angle without entering: refused. It is deflected once it slides or lifts off.
 void Pierce::refuse(const CouplingStep& step, PierceState& state, const Site& site, const Press& press,
                     double angle) const {
   const Vec3 point_O = site.local(vec(site.point.p_W));
@@ -219,7 +219,7 @@ void Pierce::refuse(const CouplingStep& step, PierceState& state, const Site& si
 
 uint32_t Pierce::wound_at(PierceState& state, const Vec3& p_O, const Vec3& n_O, const Vec3& along_O,
                           double radius) const {
-  uint32_t slot = PierceState::kWounds - 1;  // no room: the last one is given up
+  uint32_t slot = PierceState::kWounds - 1;  // without a free slot the last wound is replaced
   for (uint32_t i = PierceState::kWounds; i-- > 0;)
     if (state.wound[i].open == 0) slot = i;
   for (uint32_t i = 0; i < PierceState::kWounds; ++i)
@@ -234,7 +234,7 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   while (t < PierceState::kTracks && state.track[t].open != 0) ++t;
   if (t == PierceState::kTracks) return;
 
-  // where the needle's line meets the surface: on the needle, or ahead of its point
+  // intersection of the needle's line with the surface: on the needle, or ahead of its point
   const Vec3 n = press.normal_W, tip = vec(site.point.p_W), back = vec(site.point.tangent_W);
   Vec3 entry = tip + n.dot(press.surface_W - tip) / std::max(0.1, n.dot(back)) * back;
   swage_piercing_place place{};
@@ -259,7 +259,7 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   step.event(entered_, angle);
 }
 
-/// The needle is at `place` in the plane of a wound, and the tissue holds it at held_O.
+/// Sweeps the section of the needle at `place` over the plane of a wound, where the tissue holds it at held_O.
 void Pierce::tear(const CouplingStep& step, PierceState& state, const Site& site, uint32_t i,
                   const swage_piercing_place& place, const double* held_O) const {
   Wound& wound = state.wound[i];
@@ -272,7 +272,7 @@ void Pierce::tear(const CouplingStep& step, PierceState& state, const Site& site
   step.event(torn_, ratio);
 }
 
-/// A face is met from inside, broken, left.
+/// Exit: the point meets a face from inside, breaks it, leaves.
 void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
   Vec3 n_W = Vec3::Zero();
   const bool outside = site.inside(n_W) < 0;
@@ -296,13 +296,13 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
   step.event(exited_, angle_between(way, n_W));
 }
 
-/// The track is over: what still overlaps at that end of the needle does not touch.
+/// Closes the track: the overlap that remains at that end of the needle is no touch.
 void Pierce::close(PierceState& state, Track& track, int end) const {
   track.open = 0;
   state.set_clearing(end, true);
 }
 
-/// A track after the step: crossings, wounds, exits, its end.
+/// Updates a track after the step: crossings, wounds, exits, its end.
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
   NeedlePoints at = needle_points(site, track);
   follow(site, at, track);

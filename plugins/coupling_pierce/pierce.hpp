@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.pierce: a needle and a tissue: touch, puncture, track, exit, wound. Model and limits: coupling_pierce.md.
+// swage.coupling.pierce: a needle and tissue: touch, puncture, track, exit, wound. Model and limits: coupling_pierce.md.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -29,22 +29,22 @@ struct PierceParams {
   double torn_from = 1.5;
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct PierceState {
   static constexpr uint32_t kTracks = 2, kWounds = 8;
   static constexpr int kPointClears = 1, kEndClears = 2;  // which end of the needle
   Track track[kTracks];
   Wound wound[kWounds];
-  double newest;                 // track that the signals tell of
-  double last_entry, last_exit;  // wounds that they tell of; -1: none
+  double newest;                 // index of the track that the signals report
+  double last_entry, last_exit;  // indices of the wounds that the signals report; -1: none
   double entries, deflections;
-  double untouched_s;  // s since the point last pressed
-  double touching;     // 1: it presses
+  double untouched_s;  // s, since the point last pressed on the surface
+  double touching;     // 1: the point presses
   double peak;         // N, greatest normal force of this touch
   double peak_entry, peak_exit;
-  double refused;                // rad, angle at which it was refused in this touch; 0: it was not
-  double refused_p[3];           // m, O, where
-  double clearing;               // kPointClears, kEndClears, or both: just come out, what still overlaps there does not touch
+  double refused;                // rad, angle at which the point was refused in this touch; 0: it was not
+  double refused_p[3];           // m, O, position of the point then
+  double clearing;               // kPointClears, kEndClears, or both: that end has just come out, and its remaining overlap is no touch
   double swept;                  // m2
   double entry_p[3], exit_p[3];  // m, W
 
@@ -55,7 +55,7 @@ struct PierceState {
   }
 };
 
-/// What the contacts of the point add up to.
+/// Resultant of the contacts of the needle's point.
 struct Press {
   double force = 0;               // N, normal
   Vec3 normal_W = Vec3::Zero();   // outward, unit when force > 0
@@ -145,12 +145,12 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   Reaction reaction_;
   Peer needle_, tissue_;
 
-  // what follows from the wounds of the state, and is made anew where they are others
+  // outlines that follow from the wounds of the state, computed anew where these differ
   mutable Outline settled_[PierceState::kWounds];
 
-  // within one step only: what resolve() finds serves ties(), what on_solved() finds serves finish()
+  // valid within one step: resolve() computes before_ for ties(), on_solved() computes after_ for finish()
   std::optional<Site> before_, after_;
-  // from ties() to finish()
+  // valid from ties() to finish()
   struct Made {
     uint32_t track = 0, of = 0;
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The reaction law: how much more force a point must bear at an angle theta to the inward normal (thesis figure 5.2-5). Data,
+// The reaction law: additional force that a point must bear at an angle theta to the inward normal (thesis figure 5.2-5). Data,
 // chosen by the lesson. Header-only, pure, [rt].
 #pragma once
 
@@ -14,11 +14,11 @@ enum class Law : int { kNullZone, kThreshold, kQuadratic, kTable };
 
 struct Reaction {
   Law law = Law::kNullZone;
-  double null_angle = 0;                   // rad, below which there is none
+  double null_angle = 0;                   // rad, up to which the reaction is zero
   double at_right_angle = 0;               // N, at 90 deg
   std::array<double, 4> angle{}, force{};  // rad rising, N: kTable
 
-  /// N at theta [rad, 0..pi/2].
+  /// Reaction force [N] at theta [rad, 0..pi/2].
   double operator()(double theta) const noexcept {
     if (law == Law::kTable) return table(theta);
     if (theta <= null_angle) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the coupling tells: signals and events, as listed in coupling_pierce.md.
+// Signals and events that the coupling reports, as listed in coupling_pierce.md.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -106,7 +106,7 @@ void Pierce::tell_track(const CouplingStep& step, const PierceState& state, cons
   step.signal(depth_, std::max(0.0, track.s_in - (out ? track.s_out : 0)) * site.length);
   step.signal(below_, track.below);
   const auto place = needle_.place(site.a, track.s_in);
-  // a blunt end that is in crosses no more
+  // a blunt end that is inside no longer crosses the entry
   if (place && track.s_in < 1) tell_place(step, at_, &place->p_W.x);
 }
 

@@ -13,23 +13,23 @@ using toolkit::vec;
 namespace {
 
 constexpr double kStick = Track::kStick;
-// The point builds up its cutting force over this share of the wire's radius: 2.5 um.
+// In wire radii: advance over which the cutting force of the point builds up, 2.5 um.
 constexpr double kFront = 0.05;
-// First distance between supports, in wire radii: 0.2 mm. Doubled whenever the track has grown full.
+// In wire radii: first distance between supports, 0.2 mm. Doubled whenever the track is full.
 constexpr double kSpacing = 4;
-// Lever at the end of which what keeps the needle from rolling acts, in wire radii: 0.5 mm. Longer, it bears less across the needle.
+// In wire radii: lever arm of the tie against rolling, 0.5 mm. With a longer arm the tie bears less force across the needle.
 constexpr double kLever = 10;
-// What cancels where supports became one rubs on while the needle slides by this, in wire radii: 0.2 mm, the first spacing. Shorter: the
-// force falls within a step when a track is thinned out. Longer: it remembers where it bore when it is elsewhere.
+// In wire radii: sliding distance over which `rub` decays, 0.2 mm, the first spacing. Shorter: the friction
+// force falls within a step when a track is thinned out. Longer: it stays after the needle has left the places that bore it.
 constexpr double kEven = 4;
-// Share of the way by which the place of a support follows what the tissue gave in each step. All of it: in tissue displaced by several times
-// `spread` the place that bears and the way that it gives swing to and fro from step to step. Little: a support is looked for where it was.
+// Relaxation: share of the change of the displacement of the tissue that `given` follows in each step. 1: in tissue displaced by several
+// `spread` the contact site and its displacement oscillate from step to step. Small: the needle is searched where the tissue was.
 constexpr double kFollow = 0.4;
-// And it is behind by no more than this, in wire radii: 10 um. A needle that is let go springs by half a millimetre within a step.
+// In wire radii, 10 um: largest lag of `given`. A needle that is released springs by half a millimetre within a step.
 constexpr double kLag = 0.2;
-// A crossing this near to the place last looked at is that place.
+// Convergence: a crossing within this (in s) of the last estimate is final.
 constexpr double kConverged = 1e-10;
-// A needle this flat (sine of its angle to the plane) has no crossing to speak of.
+// Sine of the needle's angle to the plane below which it has no well-defined crossing.
 constexpr double kFlat = 0.05;
 
 void put(double* to, const Vec3& a) {
@@ -70,7 +70,7 @@ double Site::inside(Vec3& normal_W) const {
     normal_W = -n;
     return to_far;
   }
-  // through a rim or an edge: the way the point goes, along the surface
+  // through a rim or an edge: the direction in which the point moves, along the surface
   const Vec3 way = -vec(point.tangent_W), flat = way - n.dot(way) * n;
   normal_W = flat.norm() > 1e-6 ? Vec3(flat.normalized()) : n;
   return edge;
@@ -78,7 +78,7 @@ double Site::inside(Vec3& normal_W) const {
 
 NeedlePoint needle_at(const Site& site, const Support& support) {
   NeedlePoint out;
-  // near where the tissue is now: seen from where it is when nothing pulls, a needle that is curved leads elsewhere
+  // near the present place of the tissue: from its unloaded position the nearest place of a curved needle is another one
   const Vec3 p_O = vec3(support.p) + vec3(support.given), p_W = site.world(p_O.data());
   const auto place = site.needle.nearest(site.a, raw(p_W));
   if (!place) return out;
@@ -86,7 +86,7 @@ NeedlePoint needle_at(const Site& site, const Support& support) {
   out.advance_W = -vec(place->tangent_W);
   out.s = place->s;
   out.body = place->body;
-  // beyond its ends the needle is as long as it goes straight on
+  // beyond its ends the needle is continued by straight lines
   if (out.s <= 0 || out.s >= 1) out.s -= out.advance_W.dot(p_W - out.p_W) / site.length;
   out.gone = out.s * site.length + out.advance_W.dot(toolkit::rotated(site.X_WO.q, vec3(support.given)));
   return out;
@@ -117,14 +117,14 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.exit = -1;
   track.s_in = s_in;
   track.spacing = kSpacing * site.radius;
-  // of what is in nothing is cut yet: the point goes on through it until no more than cutting is left of its force
+  // the inserted part has cut nothing yet: the point advances through it until its force has fallen to the cutting force
   track.progress = track.deepest = track.shared = s_in * site.length;
   put(track.support[0].p, site.local(entry_W));
   set_front(site, track);
-  // a blunt point that goes in at a small force has its middle outside still: its bristle is at rest there, and not at the surface
+  // a blunt point that enters at a small force has its middle still outside: its bristle is at rest there, not at the surface
   track.support[0].rest = s_in > 0 ? s_in : needle_at(site, track.support[0]).s;
   track.count = 1;
-  // what is in already is held where it is
+  // supports hold the part that is already inside
   while (track.spacing * (Track::kSupports - 2) < s_in * site.length) track.spacing *= 2;
   for (uint32_t i = 1; i * track.spacing < s_in * site.length; ++i) {
     const double s = s_in - i * track.spacing / site.length;
@@ -167,7 +167,7 @@ swage_tie support_tie(const Site& site, const Support& support, const NeedlePoin
   return tie;
 }
 
-/// The end of the cut: a wall that bears up to the cutting force and then goes on; a face from inside bears more, softly.
+/// The tie at the end of the cut: a wall that yields at the cutting force; a face from inside bears more, and softly.
 swage_tie front_tie(const Site& site, const Track& track, double progress, double exit_force) {
   swage_tie tie{};
   const Vec3 advance = -vec(site.point.tangent_W);
@@ -190,8 +190,8 @@ void set_front(const Site& site, Track& track) {
       site.local(vec(site.point.p_W) + (track.progress - track.cut) * vec(site.point.tangent_W)));
 }
 
-/// The surface of the wire rubs when it rolls as it does when it slides: a bristle at the end of a lever across the middle of what is
-/// inside. Without it nothing but its own curve keeps the needle from swinging about that.
+/// The tie against rolling: the wire's surface has friction in rolling as in sliding. A bristle at the end of a lever across the middle of
+/// the inserted part. Without this tie only the needle's curvature would keep it from rotating about its own axis.
 swage_tie roll_tie(const Site& site, const Track& track, double stiffness, double drag) {
   swage_tie tie{};
   tie.axis_W = {1, 0, 0};
@@ -201,7 +201,7 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
   const Vec3 advance = -vec(middle->tangent_W), lever = kLever * site.radius * advance.unitOrthogonal();
   const double ratio = 1 / kLever;
   tie.body_a = middle->body;
-  // what stands still is as good as the world, and need not be asked how much it gives at the end of a lever
+  // a tissue at rest is equivalent to the world, and then no mobility is needed at the end of the lever
   const swage_twist& V = site.b->V_WB[site.body];
   const bool stands = vec(V.v).isZero(0) && vec(V.w).isZero(0);
   tie.body_b = stands ? SWAGE_NONE : site.body;
@@ -210,7 +210,7 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
   tie.stiffness_along = stiffness * ratio * ratio;
   tie.forward_limit = tie.backward_limit = drag * ratio;
   tie.strength = HUGE_VAL;
-  // as it was, and as far as it is predicted to roll
+  // stretched as in the last step, plus the predicted rolling
   const double rolls = vec(site.a->V_WB[middle->body].w).dot(advance) * site.a.dt() * lever.norm();
   const double stretch = -track.roll / (lever.norm() * tie.stiffness_along);
   tie.offset_W = raw(Vec3((stretch + rolls) * vec(tie.axis_W)));
@@ -224,7 +224,7 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
   for (uint32_t i = 0; i < supports(track); ++i) {
     const Support& support = track.support[i];
     const NeedlePoint at = needle_at(site, support);
-    progress = support.at + at.gone;  // the last one's counts
+    progress = support.at + at.gone;  // the value of the last support counts
     if (!(support.share > 0)) continue;
     out[n] = support_tie(site, support, at);
     stiffness += out[n].stiffness_along, drag += out[n].backward_limit;
@@ -242,7 +242,7 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
   return n;
 }
 
-/// Where the tissue is now: at the needle, but for what the support is stretched.
+/// Updates the displacement of the tissue: it is at the needle, less the stretch of the support.
 void settle(const Site& site, Support& support) {
   const double k = site.law.side_stiffness * support.share;
   if (!(k > 0)) return;

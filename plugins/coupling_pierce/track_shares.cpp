@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The length of a track divided among its supports, which come, go and are thinned out, without a change of what they bear.
+// Division of a track's length among its supports, which are added, dropped and merged without a change of the forces that they bear.
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +16,17 @@ namespace {
 
 // Stiffness of the bristle over that across the needle, as in make_ties.
 constexpr double kStick = Track::kStick;
-// A support stands for no less than this, in wire radii: at the start there is a point and no length.
+// In wire radii: smallest length that a support represents: at the start the point is in and has no length.
 constexpr double kLeast = 1;
-// With so little a support begins, in wire radii: a hundredth of what it will have.
+// In wire radii: length with which a support begins, a hundredth of its final one.
 constexpr double kFirstShare = 0.02;
-// What is in by less than this, in wire radii, is held at its entry alone.
+// In wire radii: a needle that is inserted by less than this is held at its entry alone.
 constexpr double kOne = 2;
-// So far outside of the tissue, in wire radii, the blunt end is surely out: a wire's radius.
+// In wire radii: the blunt end is out when it is farther than this outside the tissue.
 constexpr double kBeyond = 1;
-// Borders between supports move by no more than this times the way of the point: what passes from one place of the tissue to another does so
-// while the needle goes on by its length, and not at once, which the tissue would answer with a leap. Below 2 a track is not thinned
-// out before it is full again.
+// Limit of the motion of borders between supports, over the advance of the point: length passes from one place of the tissue to another
+// while the needle advances by that length, and not in one step, to which the tissue would respond with a jump. Below 2 a track is not
+// thinned out before it is full again.
 constexpr double kPasses = 4;
 
 void put(double* to, const Vec3& a) {
@@ -35,7 +35,7 @@ void put(double* to, const Vec3& a) {
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 uint32_t supports(const Track& track) { return static_cast<uint32_t>(track.count); }
 
-/// How far a support is stretched beyond what the tissue gives: across [m, O] and along the needle's advance [m].
+/// Stretch of a support, beyond the displacement of the tissue: across [m, O] and along the needle's advance [m].
 struct Stretch {
   Vec3 across_O = Vec3::Zero();
   double along = 0;
@@ -47,20 +47,20 @@ Stretch stretch(const Site& site, const Support& support) {
   return {-vec3(support.across) / k, -support.along / (kStick * k)};
 }
 
-/// Moves where it is at rest so that it is stretched by `to` and no more by what it is.
+/// Moves the rest position of a support so that its stretch changes from `is` to `to`.
 void stretch_to(const Site& site, Support& support, const Stretch& is, const Stretch& to) {
   put(support.p, vec3(support.p) + is.across_O - to.across_O);
   support.rest += (is.along - to.along) / site.length;
 }
 
-/// Force [N] that a support bears, and the sum of what bears on it from opposite sides and cancels.
+/// Force [N] that a support bears, and `rub` [N], the sum of opposite forces that cancel in it.
 struct Load {
   Vec3 across_O = Vec3::Zero();
   double along = 0, rub = 0;
 };
 
-/// A support stands for another length and bears another force: it is stretched by what that takes. What only grows longer keeps its
-/// force and is stretched less, as what is added begins unstretched.
+/// Gives a support another length and another load, and the stretch that belongs to them. A support that only grows keeps its force
+/// and is stretched less, as the added length begins unstretched.
 void set_load(const Site& site, Support& support, double share, const Load& load) {
   const Stretch is = stretch(site, support);
   support.share = share;
@@ -70,25 +70,25 @@ void set_load(const Site& site, Support& support, double share, const Load& load
 }
 
 Load load_of(const Support& support) { return {vec3(support.across), support.along, support.rub}; }
-/// What a part of the length of a support bears, where the needle leads along `to`: it is bent on the way there.
+/// Load of a part of the length of a support, turned by turn_O where it passes to a place with another direction of the needle.
 Load part_of(const Load& load, double part, const Quat& turn_O) {
   return {part * (turn_O * load.across_O), part * load.along, part * load.rub};
 }
-/// Turns what is across the needle at one support so that it is across it at another.
+/// Rotation that turns directions across the needle at one support into directions across it at another.
 Quat turn_between(const Site& site, const NeedlePoint& from, const NeedlePoint& to) {
   const Quat to_O = site.X_WO.q.conjugate();
   return Quat::FromTwoVectors(to_O * from.advance_W, to_O * to.advance_W);
 }
-/// Two loads at one place. What cancels there rubs on, until the needle has slid out of the places where it bore (kEven).
+/// Sum of two loads at one place. Forces that cancel add to `rub`, which decays as the needle slides out of their places (kEven).
 Load sum_of(const Load& a, const Load& b) {
   Load sum{a.across_O + b.across_O, a.along + b.along, a.rub + b.rub};
   sum.rub += a.across_O.norm() + b.across_O.norm() - sum.across_O.norm();
   return sum;
 }
 
-/// A new support, a wire's radius behind the point, so that the point does not leave it at once. The tissue is displaced there as at the support
-/// before. Next to none of the length yet: what it takes over from that one in the next step brings its stretch along, and what is cut from
-/// then on begins unstretched.
+/// Begins a support one wire radius behind the point, so that the point does not leave it at once. The tissue is displaced there as at the
+/// support before. Its length is almost zero: the length that it takes over from that support in the next step brings its stretch, and
+/// length that is cut afterwards begins unstretched.
 void begin_support(const Site& site, const Track& track, Support& support) {
   const double s = site.radius / site.length;
   const auto place = site.needle.place(site.a, s);
@@ -102,7 +102,7 @@ void begin_support(const Site& site, const Track& track, Support& support) {
   support.share = kFirstShare * site.radius;
 }
 
-/// Lays a support again at s, stretched as it is.
+/// Moves a support to s and keeps its stretch.
 void lay_again(const Site& site, const Track& track, double s, Support& support) {
   const auto place = site.needle.place(site.a, s);
   if (!place) return;
@@ -114,8 +114,8 @@ void lay_again(const Site& site, const Track& track, double s, Support& support)
   support.at = track.progress - needle_at(site, support).gone;
 }
 
-/// Every other support goes, once it stands for next to nothing. Those that stay bear what all bore, with the mean of their stretches, which
-/// stores no more than they did.
+/// Drops every other support, once its length is almost zero. The remaining ones bear the loads of all, with the mean of their stretches,
+/// which stores no more energy than before.
 void thin_out(const Site& site, const NeedlePoints& at, Track& track) {
   Support merged[Track::kSupports / 2];
   for (uint32_t i = 0; i < Track::kSupports / 2; ++i) {
@@ -126,7 +126,7 @@ void thin_out(const Site& site, const NeedlePoints& at, Track& track) {
     for (const uint32_t gone : {here - 1, here + 1}) {
       if (gone >= Track::kSupports) continue;
       const Support& support = track.support[gone];
-      // the last one has no neighbour beyond it
+      // the last support has no neighbour beyond it
       const double part = gone + 1 < Track::kSupports ? 0.5 : 1;
       share += part * support.share;
       load = sum_of(load, part_of(load_of(support), part, turn_between(site, at.support[gone], at.support[here])));
@@ -139,15 +139,15 @@ void thin_out(const Site& site, const NeedlePoints& at, Track& track) {
   track.thins = 0;
 }
 
-/// The length that a support stands for by its neighbours' places [m]; 0: the needle or the tissue has left it.
+/// Length of a support by the places of its neighbours [m], and whether the needle or the tissue has left it.
 struct Share {
   double length = 0;
   bool gone = false;
 };
 
-/// Length that passes from one support to its neighbour takes what it bears along, so that a track bears the same whoever stands for it;
-/// what comes in at the point begins unstretched, what goes out there is let go. It stores no more than before: f^2 / (2 k l) is convex in
-/// f and l together and grows with both alike, so of a sum it is no more than the sum; the tissue, as it is, stores the same.
+/// Length that passes from one support to its neighbour takes its load along, so that the load of the track is the same for any division;
+/// length that enters at the point begins unstretched, length that leaves there loses its load. The stored energy does not grow: f^2/(2kl)
+/// is convex in f and l together and homogeneous of degree 1, so of a sum it is at most the sum; the tissue itself stores the same.
 class Passing {
  public:
   Passing(const Site& site, const NeedlePoints& at, Track& track, const Share* to)
@@ -159,7 +159,7 @@ class Passing {
       surplus_[i] = surplus;
     }
   }
-  /// Towards the point first and then away from it, so that what passes through a support without length goes on.
+  /// Passes length towards the point first and then away from it, so that it can pass through a support without length.
   void operator()() {
     for (uint32_t i = 0; i < count_; ++i)
       if (surplus_[i] > 0) pass(i, last(i) ? i : i + 1, surplus_[i]);
@@ -173,7 +173,7 @@ class Passing {
 
  private:
   bool last(uint32_t i) const { return i + 1 == count_ || to_[i + 1].gone; }
-  /// Into itself: it is let go.
+  /// Passes length on; from a support into itself: its load is released.
   void pass(uint32_t from, uint32_t into, double length) {
     if (to_[from].gone || !(has_[from] > 0)) return;
     const double part = std::min(1.0, length / has_[from]);
@@ -191,11 +191,11 @@ class Passing {
   Track& track_;
   const Share* to_;
   uint32_t count_;
-  double surplus_[Track::kSupports], has_[Track::kSupports];  // m, that the supports as far as this have too much; of each now
+  double surplus_[Track::kSupports], has_[Track::kSupports];  // m: surplus of the supports up to this one; present length of each
   Load load_[Track::kSupports];
 };
 
-/// Borders go towards where they belong by at most `most` [m]; the last support has what is left.
+/// Moves the borders towards their targets by at most `most` [m]; the last support gets the remaining length.
 void limit(const Track& track, double most, Share* to) {
   const uint32_t count = supports(track);
   double surplus = 0, before = 0;
@@ -221,7 +221,7 @@ void limit(const Track& track, double most, Share* to) {
 }  // namespace
 
 void follow(const Site& site, const NeedlePoints& at, Track& track) {
-  // supports that the point has left: the way stays cut, and is laid anew when it comes back
+  // drops supports that the point has left: the track stays cut, and supports are added again when the point comes back
   const auto last = [&] { return supports(track) - 1; };
   const auto deep = [&] { return track.support[last()].at + at.support[last()].gone; };
   while (at.support[last()].s < 0 && (last() > 1 || (last() == 1 && deep() < kOne * site.radius))) {
@@ -244,7 +244,7 @@ bool share_out(const Site& site, const NeedlePoints& points, Track& track) {
   bool held = false;
   Share share[Track::kSupports];
   for (uint32_t i = 0; i < count; ++i) {
-    // while it is thinned out every other support is on its way to nothing
+    // while the track is thinned out, every other support loses its length
     const bool goes = track.thins != 0 && i % 2 == 1;
     const uint32_t next = i + (track.thins != 0 ? 2 : 1);
     const double lower = goes ? upper : next < count ? std::clamp(0.5 * (at(i) + at(next)), tip, upper) : tip;
@@ -252,8 +252,8 @@ bool share_out(const Site& site, const NeedlePoints& points, Track& track) {
     upper = lower;
     if (i == 0 && track.s_in < 1) share[i].length = std::max(share[i].length, kLeast * site.radius);
     const auto place = site.tissue.inside(site.b, raw(site.world(track.support[i].p)));
-    const bool beyond = place && place->edge < 0;  // torn as far as the rim
-    share[i].gone = at(i) >= 1 || beyond;          // or the needle has left it
+    const bool beyond = place && place->edge < 0;  // torn up to the rim
+    share[i].gone = at(i) >= 1 || beyond;          // or the needle has left the support
     held = held || !beyond;
   }
   const bool fresh =
@@ -267,7 +267,7 @@ bool share_out(const Site& site, const NeedlePoints& points, Track& track) {
 void support_end(const Site& site, NeedlePoints& at, Track& track) {
   const uint32_t last = supports(track) - 1;
   if (track.out != Track::kOut || track.passed == 0) return;
-  // no support is on its way to nothing where the others are left behind
+  // no thinning out where the other supports are left behind
   track.thins = 0;
   if (at.support[last].s < 1 || track.s_out >= 1) return;
   lay_again(site, track, 0.5 * (track.s_out + 1), track.support[last]);
@@ -275,10 +275,10 @@ void support_end(const Site& site, NeedlePoints& at, Track& track) {
 }
 
 bool is_through(const Site& site, const Track& track) {
-  // as far along the track as it is long: it did not go back out of its entry, which may lie in the plane of its exit
+  // progress is at least the needle's length: it did not leave by its entry, which may lie in the plane of its exit
   if (track.out != Track::kOut || track.passed == 0 || track.progress < site.length) return false;
   if (track.s_out >= 1) return true;
-  // a needle that lies flat against the exit does not cross it; nor does the rim have one
+  // a needle that lies flat against the exit does not cross it; and a rim has no exit plane
   const auto end = site.needle.place(site.a, 1);
   const auto in = end ? site.tissue.inside(site.b, end->p_W) : std::nullopt;
   return in && std::min({in->depth, -in->beyond, in->edge}) < -kBeyond * site.radius;
@@ -287,7 +287,7 @@ bool is_through(const Site& site, const Track& track) {
 void lengthen(const Site& site, const NeedlePoints& at, Track& track) {
   const NeedlePoint& end = at.support[supports(track) - 1];
   Support& last = track.support[supports(track) - 1];
-  // by its entry alone what is in would hang as from a hinge
+  // with its entry support alone the inserted part would swing as on a hinge
   if (supports(track) > 1 && end.s < 0) return lay_again(site, track, 0.5 * track.progress / site.length, last);
   if (supports(track) < Track::kSupports) track.thins = 0;
   if (track.thins != 0) {

@@ -11,14 +11,14 @@
 namespace swage::coupling_pierce {
 namespace {
 
-constexpr double kFine = 0.02;    // of the radius: what moves less has not moved
-constexpr double kCorner = 0.05;  // of the radius: what one capsule may cut off the path that it stands for
+constexpr double kFine = 0.02;    // of the radius: smaller motions are ignored
+constexpr double kCorner = 0.05;  // of the radius: largest deviation of one capsule from the path that it represents
 
 Vec2 vec2(const double* a) { return {a[0], a[1]}; }
 
 double distance(const Vec2& p, const Capsule& c) { return std::sqrt(Line(c).distance2(p)); }
 
-/// Places on a circle of radius 1.
+/// Number of points on a circle of radius 1.
 constexpr int kAround = 24;
 const std::array<Vec2, kAround> kCircle = [] {
   std::array<Vec2, kAround> place;
@@ -29,9 +29,9 @@ const std::array<Vec2, kAround> kCircle = [] {
   return place;
 }();
 
-/// How far a capsule sticks out of all but `own` [m], 0 when it does not: the farthest of places on its border that are a quarter of the radius apart
-/// round its ends, half along its sides (kAlong of them at most, beyond which they lie wider). Looks no further once it is more
-/// than `enough`.
+/// How far a capsule extends beyond all others but `own` [m], 0 when covered: maximum over points on its border, a quarter of the radius
+/// apart round its ends, half a radius along its sides (at most kAlong of them, then wider apart). Returns early with a value
+/// above `enough`.
 double sticks_out(const Wound& w, const Capsule& capsule, uint32_t own, double enough) {
   constexpr int kAlong = 24;
   const Line line(capsule);
@@ -65,7 +65,7 @@ void forget(Wound& w, uint32_t i) {
   w.count -= 1;
 }
 
-/// Forgets capsules that the others cover, else the one that sticks out least; the first, where the puncture was, stays.
+/// Drops capsules that the others cover, else the one that extends beyond them least; the first, of the puncture, is kept.
 void make_room(Wound& w) {
   const double fine = kFine * w.radius;
   for (auto i = static_cast<uint32_t>(w.count); i-- > 1;)
@@ -80,7 +80,7 @@ void make_room(Wound& w) {
   forget(w, least_at);
 }
 
-/// Whether the path from a to b, that goes on where the last capsule ends, is one with that.
+/// Tries to lengthen the last capsule by the path from a to b, which starts where it ends; true if done.
 bool lengthen(Wound& w, const Vec2& a, const Vec2& b) {
   Capsule& last = w.capsule[static_cast<uint32_t>(w.count) - 1];
   if ((vec2(last.b) - a).norm() >= kFine * w.radius) return false;
@@ -92,7 +92,7 @@ bool lengthen(Wound& w, const Vec2& a, const Vec2& b) {
   return true;
 }
 
-/// From the centre of the smallest circle around it to its edge.
+/// Radius of the smallest circle around the wound.
 double half_width(const Wound& w) {
   Vec2 end[2 * Wound::kCapsules];
   uint32_t n = 0;
@@ -101,7 +101,7 @@ double half_width(const Wound& w) {
   return smallest_circle(end, n).radius + w.radius;
 }
 
-/// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last one.
+/// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last capsule.
 void cover(Wound& w, Outline& settled, const Vec2& a, const Vec2& b, bool goes_on) {
   const double fine = kFine * w.radius;
   const auto n = static_cast<uint32_t>(w.count);
@@ -122,7 +122,7 @@ void cover(Wound& w, Outline& settled, const Vec2& a, const Vec2& b, bool goes_o
   w.wide = std::max(w.wide, half_width(w));
 }
 
-/// The way into the tissue: along the needle, whichever of its ends is inside.
+/// Sets the direction into the tissue: along the needle, whichever of its ends is inside.
 void lean_on(Wound& w, const Vec3& along_O) {
   const double side = axis(w, 0).dot(along_O) > 0 ? -1 : 1;
   for (int i = 0; i < 3; ++i) w.inward[i] = side * along_O[i];
@@ -151,7 +151,7 @@ void sweep(Wound& w, Outline& settled, const Vec3& p_O, double cosine, const Vec
     w.centre[0] = centre.x(), w.centre[1] = centre.y();
   }
   lean_on(w, along_O);
-  // the section of a leaning wire is longer by 1/cosine; a needle that lies flat is no section any more
+  // the section of an inclined wire is longer by 1/cosine; at most five times, as a needle that lies flat has no section
   const Vec2 lean(axis(w, 1).dot(along_O), axis(w, 2).dot(along_O));
   const double length = lean.norm(), longer = w.radius * (1 / std::max(cosine, 0.2) - 1);
   if (length > 1e-9 && longer > 2 * fine) {

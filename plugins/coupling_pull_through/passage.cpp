@@ -11,21 +11,21 @@ using toolkit::vec;
 
 namespace {
 
-// A hole stands for no less than this, in thread radii.
+// In thread radii: smallest length that a hole represents.
 constexpr double kLeast = 2;
-// Share of the way by which the place of a hole follows what the tissue gave in each step, as a needle's (coupling_pierce/track.cpp).
+// Relaxation: share of the change of the tissue's displacement that `given` follows per step, as for a needle (coupling_pierce/track.cpp).
 constexpr double kFollow = 0.4;
-// So many halvings find where the thread goes through a surface: 1e-6 of the length in which it is looked for.
+// Bisections that find the crossing with a surface: to 1e-6 of the searched length.
 constexpr int kHalvings = 20;
-// Steps outwards in which the surface is looked for, and their length in thread radii: 5 mm of 10-0.
+// Largest number of steps outwards in the search for the surface, and their length in thread radii: 5 mm of 10-0.
 constexpr int kLooks = 48;
 constexpr double kLook = 10;
-// Length in thread radii over which the way of the thread at a hole is taken: 10-0 under 1 mN bends over sqrt(EI/T) = 0.17 mm, 15 radii, to
-// either side of an edge. At 0 a corner between two straight segments does not go through a hole: the way jumps there.
+// In thread radii: chord for the direction of the thread at a hole: 10-0 under 1 mN bends over sqrt(EI/T) = 0.17 mm, 15 radii,
+// to either side of an edge. At 0 a corner between two straight segments could not pass a hole, as the direction jumps there.
 constexpr double kBend = 30;
-// On a straight segment the place is found to rounding; farther off than this, in thread radii, there is none on it.
+// In thread radii: on a straight segment the place is exact to rounding; a larger residual means that it is at a corner.
 constexpr double kAtOnce = 1e-3;
-// Share of a way that is gone at once in looking for a place between two segments: at 1 it is overshot about a sharp corner.
+// Relaxation in the search at a corner between two segments: with 1 the iteration overshoots at a sharp corner.
 constexpr double kPart = 0.7;
 
 void put(double* to, const Vec3& a) {
@@ -35,7 +35,7 @@ Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 
 double stiffness(const PassageLaw& law, const Hole& hole) { return law.side_stiffness * hole.share; }
 
-/// Stands for more length from now on and bears the same: it is stretched less, which stores less.
+/// Makes a hole represent more length at the same force: its stretch becomes smaller, and so does the stored energy.
 void grow(const PassageLaw& law, Hole& hole, double share) {
   if (share <= hole.share) return;
   if (hole.share > 0) {
@@ -46,7 +46,7 @@ void grow(const PassageLaw& law, Hole& hole, double share) {
   hole.share = share;
 }
 
-/// Where the thread goes through a surface between two places, one inside (`in`) and one outside of the tissue.
+/// Finds where the thread crosses a surface between two places, one inside (`in`) and one outside (`out`) of the tissue.
 Site::Place crossing(const Site& site, double in, double out, Vec3& normal_W) {
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (in + out);
@@ -67,7 +67,7 @@ Hole make_hole(const Site& site, const Site::Place& at, const Vec3& normal_W) {
   return hole;
 }
 
-/// The end is in the tissue: the thread goes in where its first place outside is.
+/// Lets the end into the tissue: the entry is before the thread's first place outside.
 bool go_in(const Site& site, Passage& passage) {
   const double look = kLook * site.strand.radius;
   for (int i = 1; i <= kLooks; ++i) {
@@ -114,7 +114,7 @@ Site::Place Site::place(double u) const {
   const auto at = thread.place(a, last_leads ? strand.length - s : s);
   Place out;
   if (!at) return out;
-  // beyond its ends the thread is as long as it goes straight on
+  // beyond its ends the thread is continued by straight lines
   out.advance_W = (last_leads ? 1.0 : -1.0) * vec(at->tangent_W);
   out.p_W = vec(at->p_W) - (u - s) * out.advance_W;
   out.u = u, out.tension = at->tension, out.body = at->body, out.good = true;
@@ -125,7 +125,7 @@ Vec3 Site::way(double u) const {
   const double half = 0.5 * kBend * strand.radius;
   const Vec3 chord = place(u - half).p_W - place(u + half).p_W;
   const double length = chord.norm();
-  return length > half ? Vec3(chord / length) : place(u).advance_W;  // a thread that is folded back on itself has no way there
+  return length > half ? Vec3(chord / length) : place(u).advance_W;  // a thread that is folded back on itself has no chord direction there
 }
 
 Site::Place Site::near(double u, const Vec3& p_W) const {
@@ -133,7 +133,7 @@ Site::Place Site::near(double u, const Vec3& p_W) const {
   Place at = place(u);
   for (int i = 0; i < 4; ++i) at = place(at.u - off(at, at.advance_W));
   if (std::abs(off(at, at.advance_W)) < kAtOnce * strand.radius) return at;
-  // neither of two segments has such a place: it lies between their ways, where the corner is nearest
+  // no place on either segment: it is at the corner between them, where the direction turns from one to the other
   for (int i = 0; i < 12; ++i) at = place(at.u - kPart * off(at, way(at.u)));
   at.advance_W = way(at.u);
   return at;
@@ -183,7 +183,7 @@ Change follow(const Site& site, Passage& passage, const PassageLaw& law, double 
   if (passage.count == 0) return inside > from && go_in(site, passage) ? Change::kWentIn : Change::kNone;
   for (uint32_t i = 0; i < passage.holes(); ++i) passage.hole[i].u = spot(site, passage.hole[i]).at.u;
 
-  // drawn through to its other end, or back out of the way it came
+  // drawn through to its other end, or back out of the entry
   while (passage.count > 0 && passage.hole[0].u > site.strand.length) {
     remove(passage, 0);
     if (passage.count == 0) return Change::kIsThrough;
@@ -193,7 +193,7 @@ Change follow(const Site& site, Passage& passage, const PassageLaw& law, double 
     passage.out = 0;
     if (passage.count == 0) return Change::kWentBack;
   }
-  // half of the length inside for each; the other half of what is behind the leading end is the needle's
+  // each hole represents half of the length inside; the other half of the length behind the leading end is held by the needle
   for (uint32_t i = 0; i < passage.holes(); ++i) grow(law, passage.hole[i], 0.5 * passage.inside());
   if (passage.out != 0 || passage.count > 1 || inside >= 0 || passage.hole[0].u < kLeast * site.strand.radius) return Change::kNone;
   passage.hole[1] = make_hole(site, crossing(site, passage.hole[0].u, 0, n), n);
@@ -224,7 +224,7 @@ double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, H
   const Vec3 across_W = f - axis_W.dot(f) * axis_W;
   hole.rest += along;
   hole.along = axis_W.dot(f);
-  // torn: the force is at its most; sawn: sliding takes the tissue away on which the thread bears, and with it what it bears
+  // torn: the force is at its limit; sawn: sliding removes tissue on which the thread bears, and the force on it
   Vec3 torn_O = site.X_WO.q.conjugate() * (slid - along * axis_W), across = site.X_WO.q.conjugate() * across_W;
   const double bears = across.norm();
   if (bears > 0 && k > 0 && tie.strength > 0) {
@@ -234,7 +234,7 @@ double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, H
   }
   put(hole.p, vec3(hole.p) + torn_O);
   put(hole.across, across);
-  // where the tissue is now: at the thread, but for what the hole is stretched
+  // displacement of the tissue: it is at the thread, less the stretch of the hole
   if (k > 0) {
     const Site::Place at = site.place(hole.rest - hole.along / (Passage::kStick * k));
     const Vec3 gives = site.local(at.p_W) + across / k - vec3(hole.p);

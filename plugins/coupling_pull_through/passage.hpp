@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The way of a thread through tissue: the holes where it goes in and where it comes out. Plain doubles, part of the coupling's private
+// The passage of a thread through tissue: the holes where it enters and where it comes out. Plain doubles, part of the coupling's private
 // state.
 //
-// Units SI. Frames: W, and O of the tissue's body. u is the arc length of the thread from the end that leads: it grows at a hole as the
+// Units SI. Frames: W, and O of the tissue's body. u is the arc length of the thread from its leading end: at a hole it grows as the
 // thread is drawn through. [rt]
 #pragma once
 
@@ -22,40 +22,40 @@ using toolkit::Vec3;
 
 /// A place of the tissue through which the thread passes.
 struct Hole {
-  double p[3];              // m, O, where it is when nothing pulls at the tissue
-  double first[3];          // m, O, where it was made
+  double p[3];              // m, O, position when the tissue is unloaded
+  double first[3];          // m, O, where the hole was made
   double normal[3];         // O, unit, out of the tissue; of entry and exit
-  double u;                 // m, of the material that is there
+  double u;                 // m, of the thread's material at the hole
   double rest;              // m, u at which its bristle is at rest
-  double share;             // m, length of the passage of whose stiffness and strength it has
+  double share;             // m, length of the passage that the hole represents: stiffness and strength are proportional to it
   double across[3], along;  // N on the thread in the last step, across it in O and along its advance
   double given[3];          // m, O, by how much the tissue is displaced there
-  double cut;               // m, way that it has been cut through the tissue
+  double cut;               // m, length by which the thread has cut the tissue here
 };
 
 /// Properties of the passage.
 struct PassageLaw {
   double drag = 0;            // N/m, per length inside
-  double friction = 0;        // Coulomb's, of what bears on the side
+  double friction = 0;        // Coulomb's coefficient, for the force across
   double side_stiffness = 0;  // N/m2, per length
-  double failure_stress = 0;  // Pa, on the thread's side
+  double failure_stress = 0;  // Pa, of the tissue under the thread's side
   double saw = 0;             // m of cut per m of sliding at the force that tears
 };
 
 struct Passage {
-  static constexpr uint32_t kHoles = 2;  // where it goes in, and where it comes out
+  static constexpr uint32_t kHoles = 2;  // the entry, and the exit
   // Stiffness of a hole's bristle over that across the thread, as a needle's (coupling_pierce/track.hpp).
   static constexpr double kStick = 4;
 
-  double count;  // of holes; 0: it is not in the tissue
+  double count;  // number of holes; 0: the thread is not in the tissue
   double out;    // 1: the leading end has come out, and the last hole is the exit
   Hole hole[kHoles];
 
   uint32_t holes() const { return static_cast<uint32_t>(count); }
-  double inside() const;  // m, of thread between the first hole and the last, or the end; 0 where two holes have been torn into one
+  double inside() const;  // m, thread between the first hole and the last, or the leading end; 0 where two holes have torn into one
 };
 
-/// What a call needs to know about the two objects.
+/// The thread and the tissue at the beginning of a call.
 struct Site {
   Site(const StrandPeer& a, const Peer& b, const Step& step_a, const Step& step_b, bool last_leads);
   bool good = false;
@@ -68,7 +68,7 @@ struct Site {
   uint32_t body = 0;  // of the tissue
   Pose X_WO;
 
-  /// The thread at u; `advance_W`: unit, the way in which it is drawn.
+  /// The place of the thread at u; `advance_W`: unit, the direction in which it is drawn.
   struct Place {
     Vec3 p_W = Vec3::Zero(), advance_W = Vec3::UnitX();
     double u = 0, tension = 0;
@@ -76,34 +76,34 @@ struct Site {
     bool good = false;
   };
   Place place(double u) const;
-  /// Unit, the way in which the thread is drawn at u: along the chord about u, which turns steadily where the thread has a corner.
+  /// Unit, direction in which the thread is drawn at u: along the chord about u, which is continuous where the thread has a corner.
   Vec3 way(double u) const;
-  /// The place nearest to p_W, found from one near it: across its segment, or at a corner across the way there.
+  /// The place nearest to p_W, searched from u: across its segment, or at a corner across the direction there.
   Place near(double u, const Vec3& p_W) const;
-  /// How far a place is inside the nearest face of the tissue [m], and that face's outward normal.
+  /// Depth of a place inside the nearest face of the tissue [m], and the outward normal of that face.
   double inside(const Vec3& p_W, Vec3& normal_W) const;
   Vec3 world(const double* p_O) const { return X_WO * Vec3(p_O[0], p_O[1], p_O[2]); }
   Vec3 local(const Vec3& p_W) const { return toolkit::rotated(X_WO.q.conjugate(), p_W - X_WO.p); }
 };
 
-/// The thread at a hole: m, what of it has gone by where the hole is when nothing pulls.
+/// The thread at a hole, and `gone` [m], the thread length that has passed the unloaded position of the hole.
 struct Spot {
   Site::Place at;
   double gone = 0;
 };
 Spot spot(const Site& site, const Hole& hole);
 
-/// The thread lies through the tissue: it comes out where, seen from the leading end, it is first inside, and goes in where it last is. False
-/// where it does not.
+/// For a thread that starts in the tissue: from the leading end on, the exit is where it is first inside, the entry where it last is.
+/// False where it is nowhere inside.
 bool lie_through(const Site& site, Passage& passage);
 
 enum class Change { kNone, kWentIn, kCameOut, kWentBack, kIsThrough };
-/// After a step: the leading end goes in, on and out; holes that the thread has left close. `from` [m]: how deep the end goes before it
-/// is in.
+/// After a step: the leading end enters, advances, comes out; holes that the thread has left close. `from` [m]: depth of the end to be
+/// counted as entered.
 Change follow(const Site& site, Passage& passage, const PassageLaw& law, double from);
-/// Its tie at one hole.
+/// The tie at one hole.
 swage_tie tie_of(const Site& site, const PassageLaw& law, const Passage& passage, uint32_t i);
-/// Takes what the solve gave that tie. Returns by how far the hole was cut [m].
+/// Takes the solved force and slip of that tie. Returns the length by which the hole was cut [m].
 double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, Hole& hole);
 
 }  // namespace swage::coupling_pull_through

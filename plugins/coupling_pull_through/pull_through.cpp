@@ -11,13 +11,13 @@ using toolkit::vec;
 
 namespace {
 
-// Beside its holes the thread does not touch the surface, in its radii: it bends out of them there.
+// In thread radii: part of the thread beside its holes that does not touch the surface, as it bends out of them there.
 constexpr double kMouth = 24;
-// A touch that overlaps by more than this many radii when first seen is inside, not on the surface.
+// A contact that overlaps by more than this many radii when first detected is inside, not on the surface.
 constexpr double kNewTouch = 4;
-// Tensions are told this far outside of the holes, in radii: beyond the segment that a hole bears on.
+// In thread radii: distance from the holes at which tensions are reported, beyond the segment on which a hole bears.
 constexpr double kBeside = 24;
-// So much thread, in radii, is out of the last bite before the leading end begins another: tissue that springs back over the end is none.
+// In thread radii: thread that must be out of the last bite before another begins: tissue that springs back over the end is no new bite.
 constexpr double kApart = 96;
 
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
@@ -67,14 +67,14 @@ void PullThrough::reset(const CouplingStep& step) {
   if (site.good && lie_through(site, state.bite[0])) state.bites = 1;
 }
 
-/// The leading end can begin another bite.
+/// True when the leading end can begin another bite.
 bool PullThrough::may_begin(const Site& site, const PullThroughState& state) const {
   if (state.bites == 0) return true;
   const Passage& last = state.bite[0];
   return state.bites < params_.bites && last.out != 0 && last.hole[last.holes() - 1].u > kApart * site.strand.radius;
 }
 
-/// What is in a hole, in the tissue, or still in the needle that goes in, does not touch the surface.
+/// True for a contact of thread in a hole, in the tissue, or still in the needle that enters: it does not touch the surface.
 bool PullThrough::passes(const Site& site, const PullThroughState& state, const swage_contact& contact) const {
   const double mouth = kMouth * site.strand.radius;
   const bool fresh = contact.gap < -kNewTouch * site.strand.radius && vec(contact.f_a_W).isZero(0);
@@ -149,12 +149,12 @@ void PullThrough::finish(const CouplingStep& step) {
   tell(step, site, state);
 }
 
-/// Those that the thread has left are forgotten: the last one when it was drawn back, the first when it has gone through.
+/// Removes bites that the thread has left: the last one when it was drawn back, the first when the thread has gone through.
 void PullThrough::follow_bites(const CouplingStep& step, const Site& site, PullThroughState& state) const {
   for (int b = state.count() - 1; b >= 0; --b) {
     const double inside = state.bite[b].inside();
     const Change change = follow(site, state.bite[b], law(site), params_.in_from);
-    if (change == Change::kCameOut) {  // again where the tissue springs back over the end: told once
+    if (change == Change::kCameOut) {  // also repeated where the tissue springs back over the end: the event is sent once
       if (state.told_out == 0) step.event(came_out_, state.bite[b].inside());
       state.told_out = 1;
     }
@@ -177,7 +177,7 @@ void PullThrough::follow_end(const CouplingStep& step, const Site& site, PullThr
   step.event(in_, fresh.inside());
 }
 
-/// Of the bite nearest to the leading end; the tail, and the tension there, of the one nearest to the other.
+/// Reports on the bite nearest to the leading end; the tail, and the tension there, are of the bite nearest to the other end.
 void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThroughState& state) const {
   const bool in = state.bites > 0;
   const Passage &newest = state.bite[0], &oldest = state.bite[in ? state.count() - 1 : 0];
@@ -206,7 +206,7 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
   step.signal(back_, state.back);
 }
 
-/// Entry and exit, where they have been cut longer.
+/// Marks entry and exit where they have been cut longer.
 uint32_t PullThrough::tears(const CouplingStep& step, std::span<swage_tear> out) {
   const auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);

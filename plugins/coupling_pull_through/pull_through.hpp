@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.pull_through: a thread that a needle has drawn into tissue: it is held where it goes in and comes out, drags, cuts and
+// swage.coupling.pull_through: a thread that a needle has drawn into tissue: the tissue holds it at entry and exit, and it drags, cuts and
 // saws. Model and limits: coupling_pull_through.md.
 #pragma once
 
@@ -30,17 +30,17 @@ struct PullThroughParams {
 
 inline constexpr int kMostBites = 4;
 
-/// The private numbers.
+/// The private state of the coupling.
 struct PullThroughState {
-  Passage bite[kMostBites];               // the one nearest to the leading end first
-  double bites;                           // of them, in the tissue
+  Passage bite[kMostBites];               // the bite nearest to the leading end first
+  double bites;                           // number of bites in the tissue
   double told;                            // 1: pull.has_cut was sent
-  double told_out;                        // 1: pull.came_out was sent of the first
-  double cut, back;                       // m, greatest so far of a hole; drawn back so far
+  double told_out;                        // 1: pull.came_out was sent for the first bite
+  double cut, back;                       // m, longest cut of a hole so far; m, thread length drawn back so far
   double drag_along, force[3], lateral;  // N, of the last step
 
   int count() const { return static_cast<int>(bites); }
-  /// m, of thread between bite `b` and the one before it, or the other end of a thread of that length [m].
+  /// m, length of thread between bite `b` and the one before it, or the other end of the thread, whose length is `length` [m].
   double loop(int b, double length) const {
     const double before = b + 1 < count() ? bite[b + 1].hole[bite[b + 1].holes() - 1].u : length;
     return std::max(0.0, before - bite[b].hole[0].u);

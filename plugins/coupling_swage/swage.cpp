@@ -11,9 +11,9 @@ using toolkit::vec;
 
 namespace {
 
-// The thread must start this near to its hole, in depths: farther, the first step would snatch it there.
+// In depths of the hole: the thread must start this near to it; from farther the first step would pull it there in a jerk.
 constexpr double kMeets = 1;
-// So much of the thread beside the hole does not touch the needle, in depths: it leaves the hole from within the needle's surface.
+// In depths of the hole: part of the thread beside the hole that does not touch the needle, as it leaves from within the needle's surface.
 constexpr double kBeside = 3;
 
 void put(double* to, const Vec3& a) {
@@ -41,14 +41,14 @@ void Swage::bind(const Peer& a, const Peer& b) {
   if (!thread_.valid()) refuse("the thread has no table of " SWAGE_TRAIT_STRAND);
 }
 
-/// Before the first step: then a thread that is not at rest has moved.
+/// Before the first step: a thread that does not start at rest has moved by then.
 void Swage::reset(const CouplingStep& step) {
   auto& state = step.state<SwageState>();
   state = {};
   state.off = meet(step, state) ? 0 : 1;
 }
 
-/// What is in the hole, or just comes out of it, does not touch the needle.
+/// A part of the thread in the hole, or just outside of it, does not touch the needle.
 void Swage::resolve(const CouplingStep& step) {
   const auto law = thread_.law(step.b());
   if (!law) return discard();
@@ -80,7 +80,7 @@ bool Swage::find(const CouplingStep& step, const SwageState& state, Joint& j) co
   return true;
 }
 
-/// How the thread is turned in its hole at the start. False where it does not begin there.
+/// Stores the rotation of the thread in its hole at the start. False where the thread does not begin there.
 bool Swage::meet(const CouplingStep& step, SwageState& state) const {
   Joint j;
   state.turn[0] = 1;
@@ -91,8 +91,8 @@ bool Swage::meet(const CouplingStep& step, SwageState& state) const {
   return true;
 }
 
-/// Two ties at the ends of the hole hold place and direction, the first of them alone the pull; a third on the thread's surface keeps
-/// it from turning.
+/// Two ties at the ends of the hole hold position and direction, and the first alone bears the pull; a third, on the thread's surface,
+/// holds its rotation.
 uint32_t Swage::ties(const CouplingStep& step, std::span<swage_tie> out) {
   auto& state = step.state<SwageState>();
   if (state.off != 0 || out.size() < 3) return 0;
@@ -111,7 +111,7 @@ uint32_t Swage::ties(const CouplingStep& step, std::span<swage_tie> out) {
   const Vec3 surface = j.mouth + j.radius * j.up, thread_surface = j.thread_mouth + j.radius * j.thread_up;
   out[0] = tie(j.mouth, j.mouth - j.thread_mouth, j.out, k, k);
   out[1] = tie(bottom, bottom - j.thread_end, j.out, k, 0);
-  // what the mouth is off is not a turn
+  // an offset of the mouth is no rotation
   const double off = side.dot(surface - thread_surface - (j.mouth - j.thread_mouth));
   out[2] = tie(surface, off * side, side, 0, k);
   return 3;
@@ -139,7 +139,7 @@ void Swage::finish(const CouplingStep& step) {
     step.signal(tension_, pull);
     step.signal(angle_, pull > 0 ? angle_between(vec3(state.f), vec(end->tangent_W)) : 0);
     step.signal(moment_, vec3(state.m).norm());
-    // twice: a thread that is snatched is stretched for one step more than it would be
+    // two steps in succession: a jerk on the thread stretches it too much for one step
     if (pull > strength && state.over != 0) {
       state.off = 1;
       step.event(pulled_off_, pull);

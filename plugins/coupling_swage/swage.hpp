@@ -23,20 +23,20 @@ struct SwageParams {
   double touch = 1e5;       // N/m
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct SwageState {
-  double off;        // 1: pulled out, or never in
-  double over;       // 1: it was pulled harder than it bears in the last step
+  double off;        // 1: pulled out, or never swaged in
+  double over;       // 1: in the last step the pull was above the strength
   double turn[2];    // cosine and sine, from the needle's normal to the thread's about the needle's tangent at its blunt end
-  double f[3], m[3]; // N and N m about the mouth, W: of the thread on the needle in the last step
+  double f[3], m[3]; // N and N m about the mouth, W: force and moment of the thread on the needle in the last step
 };
 
-/// Where needle and thread meet, in W.
+/// Place and directions of the joint of needle and thread, in W.
 struct Joint {
-  Vec3 mouth, out;                // m; unit, out of the needle along its hole
-  Vec3 up;                        // unit: of the needle, square to `out`; the thread's normal shall be there
-  Vec3 thread_mouth, thread_end;  // m, the material of the thread that belongs to the mouth and to the bottom of the hole
-  Vec3 thread_up;                 // unit, normal of the thread at the mouth
+  Vec3 mouth, out;                // m, mouth of the needle's hole; unit, out of the needle along its hole
+  Vec3 up;                        // unit, fixed to the needle and perpendicular to `out`: required direction of the thread's normal
+  Vec3 thread_mouth, thread_end;  // m, places of the thread's material that belong to the mouth and to the bottom of the hole
+  Vec3 thread_up;                 // unit, present normal of the thread at the mouth
   double radius = 0;              // m, of the thread
   uint32_t needle_body = 0, thread_body = 0;
 };

@@ -11,8 +11,8 @@ using toolkit::Vec3;
 
 namespace {
 
-// A turn counts as whole when so much of it is still missing, and no more when twice as much is: the thread leaves the instrument in
-// whatever direction the other hand is.
+// A turn counts as whole when at most this share of it is missing, and no longer when twice as much is: the direction in which the thread
+// leaves the instrument depends on the other hand.
 constexpr double kMissing = 0.25;
 
 }  // namespace
@@ -42,7 +42,7 @@ void Winding::bind(const Peer& a, const Peer& b) {
 
 void Winding::reset(const CouplingStep& step) { step.state<WindingState>() = {}; }
 
-/// Places of the thread in the frame of the jaws.
+/// Computes the places of the thread in the frame of the jaws.
 bool Winding::look(const CouplingStep& step, const Jaws& jaws) {
   const auto law = thread_.law(step.b());
   if (!law) return false;
@@ -53,13 +53,13 @@ bool Winding::look(const CouplingStep& step, const Jaws& jaws) {
     if (!place) return false;
     const Vec3 d = vec(place->p_W) - tip;
     p_T_[3 * i] = d.dot(x), p_T_[3 * i + 1] = d.dot(y), p_T_[3 * i + 2] = d.dot(z);
-    if (!this->place(p_T_, i).allFinite()) return false;  // what is no number is nowhere
+    if (!this->place(p_T_, i).allFinite()) return false;  // a place that is not finite counts as unknown
   }
   return true;
 }
 
-/// Looks for passages since it was here last. A step may be done in parts: in each of them the jaws are where they will be at its end, and
-/// the thread is where the part before has left it.
+/// Finds passages since the last call. A step may be done in substeps: in each of them the jaws are where they will be at its end, and
+/// the thread is where the last substep left it.
 bool Winding::go_on(const CouplingStep& step, WindingState& state) {
   const auto now = tool_.describe(step.a());
   if (!now) return false;
@@ -75,14 +75,14 @@ bool Winding::go_on(const CouplingStep& step, WindingState& state) {
   return true;
 }
 
-/// From the tool's frame to that of one jaw, whose middle is the x axis and whose tip is the origin; side 1: left, -1: right.
+/// Transforms from the tool's frame to that of one jaw: x axis on its middle line, origin at its tip. side 1: left, -1: right.
 Vec3 Winding::in_jaw(const Vec3& p_T, double opening, double side) const {
   const double c = std::cos(0.5 * opening), s = side * std::sin(0.5 * opening);
   const double x = p_T.x() + params_.hinge, z = p_T.z();  // from the hinge
   return {c * x + s * z - params_.hinge / c, p_T.y(), c * z - s * x - side * params_.inside};
 }
 
-/// Of what is counted: the tail beyond is what the jaws take between them. A thread may lie between open jaws, but in neither of them.
+/// Finds passages of the counted part: the tail beyond is what the jaws grasp. A thread may pass between open jaws, but through neither.
 void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
   if (std::equal(p_T_, p_T_ + 3 * params_.places, state.p_T)) return;  // at the beginning of a step nothing has moved
   for (int i = 0; i < last_; ++i) {
@@ -98,7 +98,7 @@ void Winding::find_passages(const CouplingStep& step, WindingState& state) const
   }
 }
 
-/// A turn that was told stands until half of it is missing.
+/// Reports whole turns; a reported turn stays until half of it is missing.
 void Winding::tell(const CouplingStep& step, WindingState& state, double turns) const {
   const double sign = turns < 0 ? -1 : 1, size = std::abs(turns), before = sign * state.whole;
   double whole = std::floor(size + kMissing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.coupling.winding: how often a thread is wound about an instrument. It changes nothing. Model and limits: coupling_winding.md.
+// swage.coupling.winding: number of turns of a thread about an instrument. It changes no contact. Model and limits: coupling_winding.md.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -10,30 +10,30 @@
 
 namespace swage::coupling_winding {
 
-inline constexpr int kPlaces = 401;  // most places of the thread that are looked at
+inline constexpr int kPlaces = 401;  // largest number of places of the thread that are observed
 
 struct WindingParams {
   int places = 101;
   double reach = 6e-3;  // m
-  double to = 1;        // share of the thread
+  double to = 1;        // share of the thread's length in which turns are counted
   double hinge = 10e-3;     // m, from the tips
-  double inside = 0.15e-3;  // m, from a gripping face to the middle of its jaw
+  double inside = 0.15e-3;  // m, from a gripping face to the middle line of its jaw
 };
 
-/// Where the jaws are.
+/// Pose and opening of the jaws.
 struct Jaws {
   double tip_W[3] = {}, axis_W[3] = {1, 0, 0}, closing_W[3] = {0, 0, 1};  // m, unit, unit
   double opening = 0;                                                     // rad
 };
 
-/// The private numbers.
+/// The private state of the coupling.
 struct WindingState {
-  double known = 0;             // 1: p_T is that of `jaws` where the thread was last
-  double whole = 0;             // whole turns that are told, with their sign
+  double known = 0;             // 1: p_T holds the thread's last places, relative to `jaws`
+  double whole = 0;             // reported whole turns, with their sign
   double passages = 0;
-  Jaws jaws;                     // where they will be at the end of the step, or of its part
-  double opening = 0;            // rad, of p_T
-  double p_T[3 * kPlaces] = {};  // m, places in the tool's frame, the tips in its origin
+  Jaws jaws;                     // pose that they will have at the end of the step or substep
+  double opening = 0;            // rad, that belongs to p_T
+  double p_T[3 * kPlaces] = {};  // m, places in the tool's frame, whose origin is between the tips
 };
 
 class Winding final : public Coupling<WindingParams> {
@@ -80,8 +80,8 @@ class Winding final : public Coupling<WindingParams> {
   Signal turns_, whole_, behind_, passages_;
   Event wound_, unwound_, passage_;
 
-  // of the present step
-  int last_ = 0;       // place beyond which nothing is counted
+  // valid within the present step
+  int last_ = 0;       // place up to which turns are counted
   double length_ = 0;  // m
   double p_T_[3 * kPlaces];
 };

@@ -42,8 +42,8 @@ namespace detail {
 inline void add_vertex(JawMesh& mesh, double x, double y, double z) {
   mesh.vertex.insert(mesh.vertex.end(), {x, y, z});
 }
-/// `loop` is counter-clockwise from outside for a left jaw; the right jaw is its mirror image, which turns
-/// loops round.
+/// `loop` is counter-clockwise from outside for a left jaw; the right jaw is its mirror image, which reverses
+/// loops.
 inline void add_face(JawMesh& mesh, std::vector<uint32_t> loop, bool mirrored) {
   if (mirrored) std::reverse(loop.begin(), loop.end());
   if (mesh.face_start.empty()) mesh.face_start.push_back(0);
@@ -106,19 +106,19 @@ inline JawMesh jaw_mesh(JawShape shape, const JawSize& size, bool left) {
   return shape == JawShape::kPrism ? prism(size, left) : tetrahedron(size, left);
 }
 
-/// How far the handle is squeezed decides where each jaw would like to be; what stands between the faces
-/// turns the missing angle into force. One straight line from open to past closed:
+/// The closure of the handle sets the target angle of each jaw; an object between the faces holds the jaw open,
+/// and the missing angle gives the force. One straight line from open to past closed:
 ///   target = half_opening - closure (half_opening + squeeze)
 /// so empty jaws meet at closure half_opening / (half_opening + squeeze), and a jaw stopped at `angle`
 /// presses with
 ///   force at the tip = stiffness (angle - target) / reach,  stiffness = max_grip reach / squeeze,
-/// never above max_grip. A needle held nearer to the hinge than the tip feels reach / distance times as much.
+/// never above max_grip. A needle held nearer to the hinge than the tip bears reach / distance times as much.
 struct GripLaw {
   double reach = 10e-3;               // m
   double half_opening = 9 * kDegree;  // rad, of one jaw, handle released
   double squeeze = 6 * kDegree;       // rad past closed, handle fully squeezed
   double max_grip = 2.0;              // N at the tips
-  double handle_mass = 5e-3;          // kg, what the handle weighs as felt at the tips
+  double handle_mass = 5e-3;          // kg, mass of the handle, reduced to the tips
 
   double target(double closure) const {
     return half_opening - std::clamp(closure, 0.0, 1.0) * (half_opening + squeeze);  // rad
@@ -132,7 +132,7 @@ struct GripLaw {
   double damping() const { return 2 * std::sqrt(stiffness() * inertia()); }     // N m s / rad, critical
   double closed_at() const { return half_opening / (half_opening + squeeze); }  // closure
 
-  /// Force at the tip of a jaw that rests at `angle`, N.
+  /// N, force at the tip of a jaw that rests at `angle`.
   double force(double angle, double drive_target) const {
     return std::clamp(stiffness() * (angle - drive_target) / reach, 0.0, max_grip);
   }

@@ -18,7 +18,7 @@ void Jaws::build(const JawsParams& params, ObjectBuilder& builder) {
   rest_closure_ = params.rest_closure;
   blades_ = params.blades, shear_ = params.shear;
 
-  // the tool is where the hand is: O = T. Behind the hinge there is a shaft to look at, which touches nothing
+  // the tool's frame is the hand's: O = T. The shaft behind the hinge is drawn only and touches nothing
   tool_ = builder.following_body("tool");
   const double shaft = 0.5 * params.base_width;
   builder.cylinder(tool_, {-4 * params.reach, 0, 0}, {-params.reach, 0, 0}, shaft, SWAGE_SHAPE_DRAWN);
@@ -48,12 +48,12 @@ void Jaws::build_jaw(const JawsParams& params, ObjectBuilder& builder, bool left
                {params.reach, params.length, params.base_width, params.tip_width, params.thickness}, left);
   builder.convex(jaw_[i], mesh.vertex, mesh.face_start, mesh.face_vertex);
 
-  // the arm from the hinge to the gripping face is for the eye only
+  // the arm from the hinge to the gripping face is drawn only
   const double arm = 0.5 * params.thickness;
   builder.capsule(jaw_[i], {0, 0, side * arm}, {params.reach - params.length, 0, side * arm}, arm,
                   SWAGE_SHAPE_DRAWN);
 
-  // a growing angle opens: the left tip goes to +z, the right one to -z. Closed jaws stop at 0
+  // a growing angle opens: the left tip moves to +z, the right one to -z. Closed jaws stop at 0
   hinge_[i] = builder.hinge(
       {tool_, jaw_[i], {-params.reach, 0, 0}, {0, -side, 0}, law_.inertia(), 0, law_.half_opening});
 }
@@ -67,11 +67,11 @@ double Jaws::target(const Step& step) const {
   const double mean = 0.5 * (step.hinge_angle(hinge_[0]) + step.hinge_angle(hinge_[1]));
   const swage_input* input = step.input();
 
-  // a measured force is passed on as it is
+  // a measured grip force is used unchanged
   const bool measured = input != nullptr && (input->valid & SWAGE_VALID_GRIP) != 0 && input->grip_force > 0;
   if (measured) return mean + law_.target_of_force(handle_ratio_ * input->grip_force);
 
-  // the limit acts on the mean of both jaws: what is between them stays centred even under the greatest grip
+  // the limit acts on the mean of both jaws: an object between them stays centred even at the greatest grip force
   return std::clamp(law_.target(closure(step)), mean - law_.squeeze, mean + law_.squeeze);
 }
 

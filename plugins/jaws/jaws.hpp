@@ -26,7 +26,7 @@ struct JawsParams {
   double handle_ratio = 0.2;      // N at the tips per N at the handle
   double rest_closure = 0;        // 0..1
   bool blades = false;
-  double shear = 0.6;             // N that parts a strand per N of its strength
+  double shear = 0.6;             // N of closing force per N of a strand's strength, to cut it
 };
 
 class Jaws final : public Object<JawsParams>, public Solid, public Gripper, public Blades {

@@ -17,7 +17,7 @@ namespace swage::needle {
 
 using toolkit::Vec3;
 
-/// What a needle is made to: all its geometry follows.
+/// Geometry to which a needle is made.
 struct Arc {
   double radius = 2.706e-3;      // m, of the centre line
   double sweep = 2.3561944902;   // rad
@@ -36,8 +36,8 @@ inline Arc arc_of_chord(double sweep, double chord, double wire_radius) {
   return {0.5 * chord / std::sin(0.5 * sweep), sweep, wire_radius};
 }
 
-/// Mass, place of the centre of mass in the plane of A, and inertia about it in the axes of A. Principal axes and a centre on
-/// A's x axis unless the wire is thicker towards one end.
+/// Mass, position of the centre of mass in the plane of A, and inertia about it in the axes of A. Without a thickness that changes
+/// along the wire, the axes of A are principal and the centre of mass is on x.
 struct ArcMass {
   double mass = 0;              // kg
   double centre = 0;            // m, on x
@@ -45,7 +45,7 @@ struct ArcMass {
   Vec3 inertia = Vec3::Zero();  // kg m2, diagonal
   double product = 0;           // kg m2, integral of x y dm about the centre
 
-  /// By which the principal axes are turned about z [rad], in (-pi/4, pi/4).
+  /// Angle of the principal axes about z [rad], in (-pi/4, pi/4).
   double principal() const {
     return product == 0 ? 0.0 : 0.5 * std::atan(2 * product / (inertia.y() - inertia.x()));
   }
@@ -94,7 +94,7 @@ inline ArcPlace place_at(const Arc& arc, double s) {
   return {s, arc.radius * radial, Vec3(-radial.y(), radial.x(), 0)};
 }
 
-/// On the circle's axis every place is equally near; the answer there is the middle.
+/// On the circle's axis all places are equally near; the result is then the middle of the wire.
 inline ArcPlace nearest_place(const Arc& arc, const Vec3& p_A) {
   const double half = 0.5 * arc.sweep, angle = std::atan2(p_A.y(), p_A.x());
   const double far = std::sqrt(p_A.x() * p_A.x() + p_A.y() * p_A.y());

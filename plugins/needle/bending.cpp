@@ -14,11 +14,11 @@ using toolkit::vec;
 
 namespace {
 
-// Plastic moment of a round section over that of first yield, and the share of it at which the section counts as plastic as a whole:
-// the last of it is reached only at curvatures without end. At 0.995 the curvature is 4 to 5 of first yield.
+// Plastic moment of a round section over that of first yield, and the share of it at which the section counts as plastic as a whole,
+// since the limit is reached only at infinite curvature. At 0.995 the curvature is 4 to 5 times that of first yield.
 constexpr double kPlastic = 16 / (3 * std::numbers::pi), kWhole = 0.995;
 
-/// Rotation vector of what turned by less than a degree or two within a step, by the series of the arc sine; else in full.
+/// Rotation vector of a rotation within one step: of less than a degree or two by the series of the arc sine, else by the full formula.
 Vec3 rotation_vector(const Quat& q) {
   const Vec3 v = q.w() < 0 ? Vec3(-q.vec()) : Vec3(q.vec());
   const double s2 = v.squaredNorm();
@@ -36,7 +36,7 @@ void Bending::set_up(int n, const Form& form, const Pose& X_B0P) {
   wire_ = BentWire(n, arc.radius, arc.sweep, form.material);
   for (int j = 0; j < n - 1; ++j) wire_.set_section(j, form.section((j + 1.0) / n, arc.length()));
 
-  // each piece from the same integrals as the whole, seen from its own middle
+  // each piece from the same integrals as the whole, about its own middle
   for (int i = 0; i < n; ++i) {
     const ArcMass m = mass_of(form, static_cast<double>(i) / n, (i + 1.0) / n);
     const double s = (i + 0.5) / n;
@@ -83,14 +83,14 @@ Bending::Rigid Bending::Rigid::with(const Rigid& other) const {
   Rigid both;
   both.mass = mass + other.mass;
   both.centre = (mass * centre + other.mass * other.centre) / both.mass;
-  // Steiner: the two about their common centre
+  // parallel axis theorem: both about their common centre of mass
   const Vec3 d = other.centre - centre;
   const Mat3 apart = d.squaredNorm() * Mat3::Identity() - d * d.transpose();
   both.inertia = inertia + other.inertia + mass * other.mass / both.mass * apart;
   return both;
 }
 
-/// Finds again what follows from the turns of joints that have changed.
+/// Updates the results that depend on joint rotations, for joints that have turned.
 void Bending::follow_joints(const JointMemory* memory) {
   for (int j = 0; j < n_ - 1; ++j) {
     JointMemory& known = known_[at(j)];
@@ -104,7 +104,7 @@ void Bending::follow_joints(const JointMemory* memory) {
   }
 }
 
-/// Mass, centre and inertia of the whole with its pieces at X0_, put together about one of them.
+/// Mass, centre and inertia of the whole with its pieces at X0_, summed in the frame of the piece `root`.
 Bending::Rigid Bending::weigh(int root) {
   for (; before_known_ < root; ++before_known_) {
     const size_t i = at(before_known_);
@@ -120,7 +120,7 @@ Bending::Rigid Bending::weigh(int root) {
   return whole.seen_from(X0_[at(root)]);
 }
 
-/// Wrenches that others put on the pieces: they move the whole, and bend it where contacts hold it.
+/// Takes the wrenches of other objects on the pieces: they move the whole, and bend it where contacts hold it.
 void Bending::take_loads(const Step& step, const Rigid& start) {
   n_load_ = 0;
   const double h = step.dt();
@@ -135,7 +135,7 @@ void Bending::take_loads(const Step& step, const Rigid& start) {
   }
 }
 
-/// Without contacts: falls, and turns with its angular momentum kept (midpoint rule, order 2).
+/// Free motion without contacts: falls, and rotates with constant angular momentum (midpoint rule, order 2).
 void Bending::fly(const Step& step, const Rigid& start) {
   const double h = step.dt();
   L_start_ = vec3(state(step).L);
@@ -144,7 +144,7 @@ void Bending::fly(const Step& step, const Rigid& start) {
   const Mat3 inverse = start.inertia.inverse();
   const Vec3 L = vec3(state(step).L);
   free_.w = inverse * L;
-  constexpr double kSettled = 1e-28;  // of the square: what turns by little in a step is there at once
+  constexpr double kSettled = 1e-28;  // of the square, relative: a small rotation has converged at once
   for (int i = 0; i < 3; ++i) {
     const Mat3 half = toolkit::exp_rotation(0.5 * h * free_.w).toRotationMatrix();
     const Vec3 w = half * (inverse * (half.transpose() * L));
@@ -154,14 +154,14 @@ void Bending::fly(const Step& step, const Rigid& start) {
   }
 }
 
-/// What the loads make it spin. By the inertia that contacts find: against them loads are balanced within the step, and a thin wire
-/// is 2600 times lighter about itself than across, so that the least turn between the two would make of a balanced couple about it
-/// one across it.
+/// Angular velocity due to the loads, with the inertia that the contact solve uses: contacts balance the loads within the step, and a
+/// thin wire has 2600 times less inertia about itself than across, so that the smallest rotation between the two inertias would turn a
+/// balanced couple about the wire into one across it.
 void Bending::spin_by_loads(const Step& step) {
   if (n_load_ > 0) free_.w += inverse_ * (L_start_ - vec3(state(step).L));
 }
 
-/// All pieces along with a rigid motion.
+/// Moves all pieces with one rigid motion.
 void Bending::carry(const Step& step, const Twist& V, const Rigid& start) {
   const double h = step.dt();
   const Quat turn = toolkit::exp_rotation(h * V.w);
@@ -180,7 +180,7 @@ void Bending::carry(const Step& step, const Twist& V, const Rigid& start) {
   }
 }
 
-/// Without forces each joint goes back to what it keeps. Twice, because layers of the section may flow back on the way.
+/// Without forces each joint returns to its permanent angle. Two iterations, because layers of the section may yield in reverse.
 void Bending::relax(const Step& step) const {
   JointMemory* memory = joints(step);
   for (int j = 0; j < n_ - 1; ++j)
@@ -191,7 +191,7 @@ void Bending::relax(const Step& step) const {
     }
 }
 
-/// Poses of all pieces from that of one, with the joints as they were followed last.
+/// Poses of all pieces from that of one, with the joint rotations of the last follow_joints().
 void Bending::place(int base, const Pose& X_WP) {
   X_[at(base)] = X_WP;
   for (int j = base; j < n_ - 1; ++j) {
@@ -204,7 +204,7 @@ void Bending::place(int base, const Pose& X_WP) {
   }
 }
 
-/// Poses and twists to the host. Beyond a joint that has not turned a piece spins as the one before it does.
+/// Writes poses and twists to the host. Beyond a joint that has not turned, a piece has the angular velocity of the piece before it.
 void Bending::write(const Step& step, int base) const {
   const auto spin = [&](int i) {
     return Vec3(rotation_vector(X_[at(i)].q * X0_[at(i)].q.conjugate()) / step.dt());
@@ -225,8 +225,8 @@ void Bending::write_piece(const Step& step, int i, const Vec3& w_W) const {
   step->V_WB[body_of(i)] = {toolkit::raw(Vec3((X.p - p0) / step.dt())), toolkit::raw(w_W)};
 }
 
-/// As if nothing touched it. Held, it is expected to go on as it went, so that contacts are looked for where they will be;
-/// free, it springs back and flies.
+/// Predicts the motion without contacts. A held needle is predicted to continue its motion, so that contacts are detected where they will
+/// be; a free one springs back and flies.
 void Bending::advance(const Step& step) {
   BendingState& s = state(step);
   if (s.answered == 0) s.held = 0;
@@ -266,7 +266,7 @@ void Bending::advance(const Step& step) {
 Bending::Reading Bending::read(const Step& step) const {
   const JointMemory* memory = joints(step);
   Reading out;
-  // statics knows no limit: a section bears its plastic moment, and what hardening adds to that is in the joints
+  // statics has no limit: a section bears at most its plastic moment, and hardening is included in the joints
   out.stress = std::min(peak_, kPlastic);
   for (int j = 0; j < n_ - 1; ++j) {
     if (BentWire::moment(memory[j]).isZero(0) && BentWire::path(memory[j]) == 0) continue;

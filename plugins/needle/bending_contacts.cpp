@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What contacts do to a bending needle: how its points give, and what the impulses on them bend.
+// Contacts of a bending needle: mobility at its contact points, and the bending by their impulses.
 #include <algorithm>
 #include <cstdlib>
 
@@ -13,8 +13,8 @@ using toolkit::JointMemory;
 using toolkit::Quat;
 using toolkit::vec;
 
-/// The piece that carries: that of the last step while something is at it, else the first. So what carries does not depend on which
-/// of the others is asked about.
+/// Returns the base piece: that of the last step while a contact is on it, else the piece of the first point. So the base does not depend
+/// on which other points are queried.
 int Bending::carrier(const BendingState& s, std::span<const swage_contact_point> points) const {
   const auto base = static_cast<int>(s.base);
   const bool stays =
@@ -23,7 +23,7 @@ int Bending::carrier(const BendingState& s, std::span<const swage_contact_point>
   return stays ? base : piece_of(points[0].body);
 }
 
-/// Which joints lie between the points and the piece that carries, how they give, and what the pieces have of them.
+/// Finds the joints between the points and the base, their flexibilities, and the sums that the pieces in contact have of them.
 void Bending::collect(const Step& step, std::span<const swage_contact_point> points) {
   const JointMemory* memory = joints(step);
   n_touch_ = std::min(static_cast<int>(points.size()), kMaxPoints);
@@ -54,14 +54,14 @@ void Bending::collect(const Step& step, std::span<const swage_contact_point> poi
   }
 }
 
-/// [q] M: what turns by M moves at q.
+/// [q] M: translation at q due to the rotation M.
 Mat3 Bending::turn_of(const Mat3& M, const Vec3& q) {
   Mat3 out;
   for (int k = 0; k < 3; ++k) out.col(k) = q.cross(M.col(k));
   return out;
 }
 
-/// From the piece that carries outwards: what each piece has of the joints on the way, about the centre of mass.
+/// From the base outwards: sums over the joints between the base and each piece, about the centre of mass.
 void Bending::give(const JointMemory* memory, double h) {
   Reach& base = reach_[at(base_)];
   base = {};
@@ -87,7 +87,7 @@ void Bending::give(const JointMemory* memory, double h) {
   for (int j = base_ - 1; j >= low_; --j) over(j, j + 1, j);
 }
 
-/// Of the turns to which wrenches alone would bring the joints, the share that they get in a step.
+/// The share of the joint rotations by the wrenches alone that is done in one step (limits their sum).
 double Bending::load_share(const JointMemory* memory) const {
   if (n_load_ == 0) return 1;
   double asked = 0;
@@ -96,7 +96,7 @@ double Bending::load_share(const JointMemory* memory) const {
   return BentWire::share(asked);
 }
 
-/// Moments that the wrenches on the pieces put on the joints between them and the one that carries.
+/// Moments on the joints between the base and the pieces on which wrenches act.
 void Bending::load_joints() {
   std::fill(load_.begin() + low_, load_.begin() + high_, Vec3::Zero());
   for (int l = 0; l < n_load_; ++l) {
@@ -109,7 +109,7 @@ void Bending::load_joints() {
   }
 }
 
-/// From where the point came to where it is now, and on from there without forces: as a rigid body, and springing back.
+/// Velocity of the point from its start to its present place, plus its velocity without contact forces: rigid motion, and springing back.
 Vec3 Bending::free_velocity(int point, double h) const {
   const Touch& t = touch_[at(point)];
   const Reach& r = reach_[at(t.piece)];
@@ -120,7 +120,7 @@ Vec3 Bending::free_velocity(int point, double h) const {
   return by_itself + (t.p_W - before) / h - expected_.v;
 }
 
-/// Velocity of point a per impulse at b: of what the way to either has in common.
+/// Velocity of point a per impulse at b: the sum over what lies between the base and both.
 ///   W_ab = 1/m + sum over the whole (at its centre, x = 0, S = I^-1) and the common joints of [q_a - x] S [q_b - x]'
 Mat3 Bending::mobility(const Touch& a, const Touch& b) const {
   const int out_a = a.piece - base_, out_b = b.piece - base_;
@@ -155,8 +155,8 @@ void Bending::mobility(const Step& step, std::span<const swage_contact_point> po
   }
 }
 
-/// Forces of the contacts along the wire, in order. Two pieces that touch a face beside the joint between them are one touch: a joint
-/// that opens by theta leaves a dent of R theta between them, where the wire itself is round and touches in the middle of it.
+/// Forces of the contacts along the wire, in order. Two pieces that touch a face beside their common joint make one contact: a joint
+/// that is turned by theta leaves a dent of length R theta between them, where the real wire is round and touches in the middle of it.
 int Bending::along(const double* impulse, double h, std::span<Force> force) {
   int n = 0, turned = -1;
   for (int a = 0; a < n_touch_; ++a) {
@@ -184,10 +184,10 @@ int Bending::along(const double* impulse, double h, std::span<Force> force) {
   return kept;
 }
 
-/// A contact's force on the centre line, and in the dent of which joint it is.
+/// Reduces a contact's force to the centre line, and finds the joint in whose dent it is.
 Bending::Force Bending::force_at(const Touch& t, const Vec3& f_W) const {
   constexpr double kDent =
-      0.75;  // from the joint, in R theta: a half, and what tilts it and turns it within the step
+      0.75;  // half extent of the dent, in R theta: a half, and a margin for tilt and for rotation within the step
   const Mat3& R = R_[at(t.piece)];
   const Vec3& middle = X_[at(t.piece)].p;
   const double y = (t.p_W - middle).dot(R.col(1)), sag = 0.5 * y * y / wire_.radius();
@@ -199,12 +199,12 @@ Bending::Force Bending::force_at(const Touch& t, const Vec3& f_W) const {
   return force;
 }
 
-/// Stress over first yield where it is greatest, by statics: between the forces of contacts the moment of a wire changes evenly,
-/// so that it is greatest at one of them, also within a piece. Joints alone would not see what bends between narrow jaws.
+/// Greatest stress over first yield, by statics: between the contact forces the moment of a wire is linear, so that it
+/// is greatest at one of them, also within a piece. At the joints alone the bending between narrow jaws would be missed.
 double Bending::peak(const double* impulse, double h) {
   std::array<Force, kMaxPoints> force;
   const int n = along(impulse, h, force);
-  Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();  // of all, about the centre of mass
+  Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();  // of all forces, about the centre of mass
   for (int i = 0; i < n; ++i) {
     const Force& here = force[at(i)];
     sum += here.f_W, moment += (here.p_W - whole_.centre).cross(here.f_W);
@@ -214,7 +214,7 @@ double Bending::peak(const double* impulse, double h) {
   for (int i = 0; i < n; ++i) {
     const Force& here = force[at(i)];
     const Vec3 arm = here.p_W - whole_.centre;
-    // from either side; what they differ by moves the needle
+    // moment from either side; their difference accelerates the needle
     const Vec3 m_before = before - arm.cross(sum_before);
     const Vec3 m_after = (moment - before) - arm.cross(sum - sum_before);
     const Vec3& m = m_before.squaredNorm() < m_after.squaredNorm() ? m_before : m_after;
@@ -225,7 +225,7 @@ double Bending::peak(const double* impulse, double h) {
   return greatest;
 }
 
-/// Moments on the joints: of what pushes beyond them, seen from the piece that carries.
+/// Moments on the joints: of the contact forces beyond them, as seen from the base.
 void Bending::bear(const double* impulse, double h, Vec3* m) const {
   std::array<Vec3, kMax> f, t;  // on each piece, N; N m about the centre of mass
   std::fill(f.begin() + low_, f.begin() + high_ + 1, Vec3::Zero());
@@ -267,7 +267,7 @@ void Bending::apply_impulses(const Step& step, std::span<const swage_contact_poi
   if (touched) bear(impulse, h, m.data());
   if (touched) peak_ = peak(impulse, h);
 
-  // the shape: joints that no contact reaches bear nothing
+  // shape: joints outside of [low_, high_) bear no moment
   std::array<Vec3, kMax> by;
   double asked = 0;
   for (int j = 0; j < n_ - 1; ++j) {
@@ -283,7 +283,7 @@ void Bending::apply_impulses(const Step& step, std::span<const swage_contact_poi
     if (!by[at(j)].isZero(0)) wire_.bend(j, share * by[at(j)], memory[j], wire_.slope(j, m.data()));
   follow_joints(memory);
 
-  // the whole: its centre and the piece that carries go as a rigid body
+  // motion of the whole: its centre and the base move as a rigid body
   BendingState& s = state(step);
   const Vec3 v = free_.v + sum / whole_.mass, w = free_.w + inverse_ * moment;
   const Vec3 centre = whole_.centre - h * expected_.v;

@@ -9,11 +9,11 @@
 namespace swage::needle {
 namespace {
 
-// slices of a wire whose thickness changes: a taper is then met to 1e-4 of its mass
+// number of slices of a wire whose thickness changes: the mass of a taper is then exact to 1e-4
 constexpr int kSlices = 64;
 
-/// A length of wire with one section, from angle a0 to a1 in the circle frame; what `mass_of(Arc)` integrates, before it is
-/// brought to the centre of mass.
+/// Integrals over a length of wire with one section, from angle a0 to a1 in the circle frame, as in `mass_of(Arc)` before the
+/// reduction to the centre of mass.
 struct Sum {
   double mass = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0, zz = 0;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a needle is made to: its shape, its wire along the length, its material. All numbers SI.
+// Design of a needle: its shape, its wire along the length, its material. All numbers SI.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace swage::needle {
 
-/// The needle of a maker, or one that a lesson puts together. The usual values are the reference needle's: 3/8 circle, 5 mm
+/// A needle of a manufacturer, or one that a lesson defines. Defaults are the reference needle: 3/8 circle, 5 mm
 /// chord, 100 um.
 struct Form {
   double share = 0.375;           // of a full circle
-  bool chord = true;              // what `size` measures: chord, or length of the arc
+  bool chord = true;              // `size` is the chord; else the length of the arc
   double size = 5e-3;             // m
   double wire_diameter = 0.1e-3;  // m
   double taper_length = 0;        // m from the point, over which the wire grows from point_diameter
-  double point_diameter = 20e-6;  // m, where the point begins
+  double point_diameter = 20e-6;  // m, at the point
   double flattening = 1;          // thickness in the plane over width, 0.3..1
-  double swage_length = 0;        // m from the end, drilled to take the thread
+  double swage_length = 0;        // m from the end, drilled for the thread
   double swage_hole = 0.5;        // diameter of the hole over that of the wire
   toolkit::WireMaterial material;
 
@@ -41,14 +41,14 @@ struct Form {
   }
 };
 
-/// Mass of the stretch from s0 to s1: as mass_of(Arc), cut into slices where the wire is not uniform. Flattening is left out:
-/// it keeps the area and moves nothing by more than the wire's thickness.
+/// Mass of the stretch from s0 to s1: as mass_of(Arc), in slices where the section changes. Flattening is neglected: it keeps
+/// the area and shifts mass by less than the wire's thickness.
 ArcMass mass_of(const Form& form, double s0 = 0, double s1 = 1);
 
-/// "" or why no needle can be made so.
+/// "" or the reason why such a needle cannot be made.
 std::string fault(const Form& form);
 
-/// Reads a library entry (format "swage-needle/1", resources/needles) over `form`. Returns "" or what is wrong.
+/// Reads a library entry (format "swage-needle/1", resources/needles) into `form`. Returns "" or the fault.
 std::string read_model(const std::string& path, Form& form);
 
 }  // namespace swage::needle

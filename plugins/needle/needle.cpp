@@ -11,25 +11,25 @@ namespace swage::needle {
 namespace {
 
 // A straight needle is an arc of a thousandth of a radian: its middle is off the chord by an eight-thousandth of its length, 0.6 um for
-// 5 mm, and its circle so small that lengths of a micrometre are still exact to ten figures.
+// 5 mm, and its radius is still so small that lengths of a micrometre are exact to ten digits.
 constexpr double kStraightShare = 1e-3 / (2 * std::numbers::pi);
 constexpr double kShare[] = {0, 1.0 / 4, 3.0 / 8, 1.0 / 2, 5.0 / 8, 2.0 / 8, 4.0 / 8, kStraightShare};
 
-// The smallest radius of the circle in wire radii: below it the inside of the bend would fold into itself
-// long before.
+// Smallest radius of the circle in wire radii: a tighter bend could not be made, long before its inner side
+// folds into itself.
 constexpr double kTightest = 4;
-// The thinnest wire, m: below it contact compliances are no longer those of a wire.
+// Thinnest wire, m: below it the contact compliances no longer hold for a wire.
 constexpr double kThinnest = 20e-6;
-// The shortest needle, m.
+// Shortest needle, m.
 constexpr double kShortest = 0.5e-3;
-// How much finer the level `reference` is.
+// Factor in the number of pieces of the level `reference`.
 constexpr int kFiner = 4;
 
 void take(double given, double& value) {
   if (given > 0) value = given;
 }
 
-/// Zeros of either sign are not the same.
+/// Compares bits: +0 and -0 differ.
 bool same_bits(const swage_pose& a, const swage_pose& b) {
   constexpr size_t kWords = sizeof(swage_pose) / sizeof(uint64_t);
   using Words = std::array<uint64_t, kWords>;
@@ -85,7 +85,7 @@ void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
   const toolkit::Pose X_OB(Vec3(m.centre - arc_.radius, m.along, 0), turn_B_.conjugate());
   if (params.level == Level::kRigid) {
     body_ = builder.dynamic_body("needle", {m.mass, toolkit::raw(m.principal_inertia())}, X_OB.abi());
-    // the shape's arc starts on its own +x axis, which therefore points at the needle's point
+    // the shape's arc starts on its own +x axis, which is therefore turned to the needle's point
     const toolkit::Pose X_BA(centre_B_, turn_B_ * toolkit::exp_rotation({0, 0, -0.5 * arc_.sweep}));
     builder.arc(body_, {X_BA.abi(), arc_.radius, arc_.sweep, arc_.wire_radius});
   } else {
@@ -97,7 +97,7 @@ void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
   divide();
 }
 
-/// Body 0 has the frame B of a rigid needle and carries the middle piece; the others stand in the middle of theirs.
+/// Body 0 has the frame B of a rigid needle and is the middle piece; the other bodies have their frames in the middles of their pieces.
 void Needle::build_bending(int n, const toolkit::Pose& X_OB, ObjectBuilder& builder) {
   const toolkit::Pose X_OA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
   const auto X_OP = [&](int i) {
@@ -163,7 +163,7 @@ const void* Needle::extension(std::string_view wanted) {
   return wanted == SWAGE_TRAIT_WIRE ? wire_table<Needle>() : nullptr;
 }
 
-/// What there is of the wire, from the point on.
+/// Sets up the stretches of the wire, from the point on.
 void Needle::divide() {
   const int n = std::max(1, bending_.pieces());
   for (int i = 0; i < n; ++i) {
@@ -174,7 +174,7 @@ void Needle::divide() {
   }
 }
 
-/// One piece of the wire, as an arc about its own middle: asked about dozens of times a step, it is found once for each pose.
+/// One piece of the wire as an arc about its own middle: queried dozens of times a step, it is computed once for each pose.
 const Needle::Stretch& Needle::stretch(const Step& step, int i) {
   Stretch& wire = wire_[static_cast<size_t>(i)];
   const swage_pose& X = step->X_WB[wire.body];
@@ -194,20 +194,20 @@ Needle::Found Needle::nearest_on(const Stretch& wire, const Vec3& p_W) {
   return {&wire, nearest_place(wire.arc, wire.X_WA.inverse_times(p_W))};
 }
 
-/// The nearest place of all pieces.
+/// The nearest place on any piece.
 Needle::Found Needle::find_nearest(const Step& step, const Vec3& p_W) {
   if (!bends()) return nearest_on(stretch(step, 0), p_W);
   const int n = bending_.pieces();
   int nearest = 0;
   double least = 1e300;
   for (int i = 0; i < n; ++i) {
-    // but for the one whose body has the frame of the whole, bodies stand in the middle of their pieces
+    // bodies have their origins in the middles of their pieces, but for the one whose body has the frame of the whole
     const uint32_t body = wire_[static_cast<size_t>(i)].body;
     const Vec3 middle_W = body == 0 ? stretch(step, i).middle_W : toolkit::vec(step->X_WB[body].p);
     const double d = (middle_W - p_W).squaredNorm();
     if (d < least) least = d, nearest = i;
   }
-  // at its end its neighbour may be as near
+  // at an end of the piece its neighbour may be as near
   const Found best = nearest_on(stretch(step, nearest), p_W);
   const int beside = best.place.s <= 0 ? nearest - 1 : best.place.s >= 1 ? nearest + 1 : nearest;
   if (beside == nearest || beside < 0 || beside >= n) return best;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.object.needle: a circular-arc needle of true micro size, rigid or bending for good. The model and its limits are in
+// swage.object.needle: a circular-arc needle of true micro size, rigid or bending with plasticity. Model and limits are in
 // needle.md.
 #pragma once
 
@@ -17,7 +17,7 @@ enum class Level : int { kRigid, kBending, kReference };
 enum class Circle : int { kModel, kQuarter, kThreeEighths, kHalf, kFiveEighths, kTwoEighths, kFourEighths, kStraight };
 enum class SizeOf : int { kModel, kChord, kLength };
 
-/// What is 0 or `kModel` is as the model says.
+/// Parameters that are 0 or `kModel` take the model's value.
 struct NeedleParams {
   std::string model;
   Level level = Level::kRigid;
@@ -132,16 +132,16 @@ class Needle final : public Object<NeedleParams>,
   void nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) override;
 
  private:
-  /// A piece of the wire that is one arc: its circle frame in W, and the share of the wire that it is.
+  /// A piece of the wire that is one arc: its circle frame in W, and the share of the wire that it covers.
   struct Stretch {
     toolkit::Frame X_WA;
-    Vec3 middle_W = Vec3::Zero();  // m; of one that bends
-    swage_pose known{};            // of its body, for which these two are
+    Vec3 middle_W = Vec3::Zero();  // m; of the middle, if it bends
+    swage_pose known{};            // pose of its body to which these two belong
     Arc arc;
     double s0 = 0, s1 = 1;
     uint32_t body = 0;
   };
-  /// A place of the wire, seen from its stretch.
+  /// A place of the wire, relative to its stretch.
   struct Found {
     const Stretch* wire = nullptr;
     ArcPlace place;
@@ -161,13 +161,13 @@ class Needle final : public Object<NeedleParams>,
   Form form_;
   double mass_ = 0;                  // kg
   Vec3 inertia_ = Vec3::Zero();      // kg m2, about the centre of mass, in B
-  swage_environment environment_{};  // of the lesson
+  swage_environment environment_{};  // medium of the lesson
   Arc arc_;
   Vec3 centre_B_ = Vec3::Zero();                      // of the circle, m
   toolkit::Quat turn_B_ = toolkit::Quat::Identity();  // of the circle frame
   Body body_;
   Bending bending_;
-  std::array<Stretch, toolkit::BentWire::kMaxPieces> wire_;  // one of a rigid needle
+  std::array<Stretch, toolkit::BentWire::kMaxPieces> wire_;  // only the first of a rigid needle
   Signal stress_, bend_, damage_, broken_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The needle in the fluid of the lesson's environment: drag along its arc, and buoyancy. A lesson that names no medium has none.
+// The needle in the fluid of the lesson's environment: drag along its arc, and buoyancy. Without a medium there is neither.
 #include <algorithm>
 
 #include "needle.hpp"
@@ -9,11 +9,11 @@
 namespace swage::needle {
 
 namespace {
-// Straight pieces into which the arc is cut: a half circle in pieces of 15 deg, whose drag differs by 0.3 % from that of twice as many.
+// Straight pieces into which the arc is cut: a half circle has pieces of 15 deg, whose drag differs by 0.3 % from that of twice as many.
 constexpr int kCuts = 12;
 }  // namespace
 
-/// The whole needle slows down as one rigid body; each piece of a bending one then bears its own part.
+/// Drag at the velocity after the step (implicit), as for one rigid body; each piece of a bending needle then bears its own part.
 void Needle::forces(const Step& step) {
   if (environment_.medium == SWAGE_MEDIUM_UNSET) return;
   const toolkit::RodFluid fluid{environment_.density, environment_.viscosity};

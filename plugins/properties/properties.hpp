@@ -10,13 +10,13 @@
 namespace swage::properties {
 
 struct Property {
-  const char* unit;                 // as the file must write it
-  double si;                        // SI units in one of it
-  std::function<void(double)> set;  // takes the value in SI units; none: the property is for people
+  const char* unit;                 // unit that the file must use
+  double si;                        // value of this unit in SI units
+  std::function<void(double)> set;  // takes the value in SI units; empty: the property is for the reader only
 };
 
-/// Reads the "values" of a file whose "format" is given; `noun` is what the file describes, for messages ("needle"). Values are
-/// finite and 0 or above. Returns "" or what is wrong, with the path in front.
+/// Reads the "values" of a file whose "format" is given; `noun` names the described object in messages ("needle"). Values are
+/// finite and 0 or above. Returns "" or the fault, with the path in front.
 std::string read_properties(const std::string& path, const std::string& format, const std::string& noun,
                             const std::map<std::string, Property>& known);
 

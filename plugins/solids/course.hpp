@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The centre line of a bent wire: straight pieces and circular bends one after another, each going on in the direction in which the one
-// before it ends. From the origin along +x, in the plane z = 0; positive bends turn to the left.
+// The centre line of a bent wire: straight pieces and circular bends one after another, each continuing in the final direction of the one
+// before it. It starts at the origin along +x, in the plane z = 0; positive bends turn to the left.
 #pragma once
 
 #include <algorithm>
@@ -38,18 +38,18 @@ struct Piece {
     const Vec3 t = forward(l);
     return centre() - side() * radius() * Vec3(-t.y(), t.x(), 0);
   }
-  /// Way along it to the place nearest to p, m.
+  /// Arc length from the start to the place nearest to p, m.
   double nearest(const Vec3& p) const {
     if (bend == 0) return std::clamp((p - start).dot(forward(0)), 0.0, length);
     const Vec3 a = start - centre(), b = p - centre();
     double angle = side() * std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
-    // behind the middle of what is left of the circle its start is nearer than its end
+    // beyond the middle of the missing part of the circle, the start is nearer than the end
     if (angle < -0.5 * (2 * std::numbers::pi - std::abs(bend))) angle += 2 * std::numbers::pi;
     return std::clamp(angle * radius(), 0.0, length);
   }
 };
 
-/// Reads "2 mm, 60 deg at 2 mm, 1.5 mm": a straight of 2 mm, a bend to the left by 60 deg of radius 2 mm, a straight. Returns what is wrong,
+/// Reads "2 mm, 60 deg at 2 mm, 1.5 mm": a straight of 2 mm, a bend to the left by 60 deg of radius 2 mm, a straight. Returns the fault,
 /// or "".
 inline std::string read_course(std::string_view text, std::vector<Piece>& pieces) {
   constexpr double kMm = 1e-3, kDeg = std::numbers::pi / 180;

@@ -82,7 +82,7 @@ void SolidObject::check(const SolidParams& params, ObjectBuilder& builder) {
       return builder.error("course", "a bend needs a radius of more than half of the wire's diameter");
 }
 
-/// Pieces with round ends, one into the other.
+/// Adds the pieces with round ends that overlap.
 void SolidObject::add_wire(const SolidParams& params, ObjectBuilder& builder) const {
   const double r = 0.5 * params.wire_diameter;
   for (const Piece& piece : wire_) {
@@ -90,7 +90,7 @@ void SolidObject::add_wire(const SolidParams& params, ObjectBuilder& builder) co
       builder.capsule(body_, toolkit::raw(piece.start), toolkit::raw(piece.at(piece.length)), r);
       continue;
     }
-    // an arc runs counter-clockwise: one to the right begins at its end
+    // an arc runs counter-clockwise: a bend to the right begins at its end
     const Vec3 from = (piece.bend > 0 ? piece.start : piece.at(piece.length)) - piece.centre();
     const toolkit::Pose X(piece.centre(), toolkit::exp_rotation({0, 0, std::atan2(from.y(), from.x())}));
     builder.arc(body_, {X.abi(), piece.radius(), std::abs(piece.bend), r});
@@ -137,7 +137,7 @@ void SolidObject::build(const SolidParams& params, ObjectBuilder& builder) {
       }
       break;
     case Form::kRing: {
-      // the two ends of the arc lie in each other, on -x
+      // the two ends of the arc meet, on -x
       constexpr double kClosed = 2 * pi * (1 - 1e-9);
       const toolkit::Pose X(Vec3::Zero(), toolkit::exp_rotation({0, 0, pi}));
       ring_ = r;

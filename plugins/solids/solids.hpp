@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.object.solids: plain bodies to practise on and to rest things on. Sizes and frames: solids.md.
+// swage.object.solids: plain bodies to practise with and to rest objects on. Sizes and frames: solids.md.
 #pragma once
 
 #include <swage/environment.hpp>
@@ -73,13 +73,13 @@ class SolidObject final : public Object<SolidParams>, public Solid, public Grasp
   void check(const SolidParams& params, ObjectBuilder& builder);
   void add_wire(const SolidParams& params, ObjectBuilder& builder) const;
   void locate_on_wire(const toolkit::Vec3& p_B, toolkit::Vec3& at, toolkit::Vec3& tangent, double& s) const;
-  double length_ = 0;  // m, along the axis of a cylinder; 0 where there are no ends
-  double extent_ = 0;  // m, told to graspers as the length
-  double ring_ = 0;    // m, radius of a ring's centre line; 0: it is none
+  double length_ = 0;  // m, along the axis of a cylinder; 0 for forms without ends
+  double extent_ = 0;  // m, reported to graspers as the length
+  double ring_ = 0;    // m, radius of a ring's centre line; 0: not a ring
   std::vector<Piece> wire_;
-  // of a free one in a fluid
+  // of a free solid in a fluid
   bool fixed_ = true;
-  double density_ = 0, thickness_ = 0;  // kg/m3; m, of the ball, the cylinder or the ring's wire
+  double density_ = 0, thickness_ = 0;  // kg/m3; m, diameter of the ball, the cylinder or the ring's wire
   swage_mass mass_{};
   swage_environment environment_{};
   Body body_;

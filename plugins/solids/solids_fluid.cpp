@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A free solid in the fluid of the lesson's environment: drag and buoyancy. A lesson that names no medium has none.
+// A free solid in the fluid of the lesson's environment: drag and buoyancy. Without a medium there is neither.
 #include <numbers>
 
 #include "solids.hpp"
@@ -11,7 +11,7 @@ namespace swage::solids {
 using toolkit::Vec3;
 
 namespace {
-// Straight pieces of a cylinder, which turns, and of a ring: half as many differ by 1 %.
+// Number of straight pieces of a cylinder, which rotates, and of a ring: half as many differ by 1 %.
 constexpr int kCuts = 8, kRingCuts = 24;
 }  // namespace
 

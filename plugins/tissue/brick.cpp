@@ -30,7 +30,7 @@ std::array<Row, 6> strain(const std::array<double, 3>& at, const std::array<doub
   return B;
 }
 
-/// Stresses of the eighteen modes at a place.
+/// Stresses of the eighteen modes at a place in [-1, 1]^3.
 std::array<std::array<double, kStresses>, 6> stress(const std::array<double, 3>& at) {
   std::array<std::array<double, kStresses>, 6> P{};
   for (size_t i = 0; i < 3; ++i) {
@@ -45,10 +45,10 @@ std::array<std::array<double, kStresses>, 6> stress(const std::array<double, 3>&
 }  // namespace
 
 BrickStiffness brick(const std::array<double, 3>& edge, double young, double poisson) {
-  // the matrix of complementary energy and work, H and G, and K = G' H^-1 G as what is left of [H G; G' 0] without
-  // the stresses
+  // the matrices of complementary energy and work, H and G; K = G' H^-1 G is the Schur complement of [H G; G' 0] after
+  // elimination of the stresses
   Symmetric m(kStresses + 24);
-  const double a = 0.57735026918962576451;  // sqrt(1/3): two points an axis are exact for all of it
+  const double a = 0.57735026918962576451;  // sqrt(1/3): Gauss points, two per axis integrate all of it exactly
   const double weight = edge[0] * edge[1] * edge[2] / 8;
   for (int g = 0; g < 8; ++g) {
     const std::array<double, 3> at{g & 1 ? a : -a, g & 2 ? a : -a, g & 4 ? a : -a};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A finite element: brick of eight corners that neither locks where it bends nor where it keeps its volume.
+// A finite element: a brick of eight corners without locking in bending or at constant volume.
 //
 // Hybrid stress element of Pian and Tong (Int. J. Numer. Meth. Engng. 22, 1986, 173): displacements trilinear, stresses
 //   sxx: 1 y z yz   syy: 1 x z xz   szz: 1 x y xy   sxy: 1 z   syz: 1 x   szx: 1 y
-// in equilibrium within the brick. Rectangular bricks bend exactly; of pressure only the constant one is opposed to a
+// in equilibrium within the brick. Rectangular bricks bend exactly; of the pressure modes only the constant one resists a
 // change of volume.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace swage::tissue {
 
-/// Poisson's ratio of tissue that keeps its volume. A half space of the same shear modulus gives by 0.2 % more than
+/// Poisson's ratio of nearly incompressible tissue. A half space of the same shear modulus is displaced by 0.2 % more than
 /// at 1/2; nearer to 1/2 digits are lost.
 inline constexpr double kPoisson = 0.499;
 

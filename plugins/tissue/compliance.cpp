@@ -9,18 +9,18 @@ namespace swage::tissue {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr uint32_t kNodes = 128;       // of the table over distance
+constexpr uint32_t kNodes = 128;       // of the table over the distance
 constexpr uint32_t kIntervals = 4096;  // of the integral over wave numbers, Simpson
 constexpr double kFarthest =
-    30;  // of the table, in its scale; beyond it the skin no longer shows (below 1e-4)
-constexpr double kShortest = 60;  // of the integral: wave numbers up to this over the scale
+    30;  // end of the table, in its scale; beyond it the skin has no effect (below 1e-4)
+constexpr double kShortest = 60;  // shortest waves of the integral: wave numbers up to this over the scale
 
 }  // namespace
 
 Compliance::Compliance(const Layers& layers)
     : shear_(layers.shear), e_(2 * layers.spread / kPi), point_(1 / (4 * kPi * layers.shear)) {
   if (!(layers.skin > 0)) return;
-  // plate of nu = 1/2 on a half space that resists with 2 G k
+  // plate of nu = 1/2 on a half space whose stiffness per area is 2 G k at the wave number k
   const double D = layers.skin_young * layers.skin * layers.skin * layers.skin / 9;
   const double skin = std::cbrt(D / (2 * shear_));
   scale_ = std::max(skin, e_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Dense elimination in one fixed order, so that every compiler and every machine finds the same bits: no library that
+// Dense elimination in one fixed order, so that the result has the same bits with every compiler and machine: no library that
 // blocks by the size of a cache. [main]
 #pragma once
 
@@ -20,10 +20,10 @@ struct Symmetric {
   const double* row(size_t i) const { return a.data() + i * n; }
 };
 
-/// Eliminates the first `first` unknowns of a positive definite matrix (Cholesky, in panels): the rest becomes its
+/// Eliminates the first `first` unknowns of a positive definite matrix (Cholesky, in panels): the remaining block becomes its
 /// Schur complement.
 inline void eliminate(Symmetric& m, size_t first) {
-  constexpr size_t kPanel = 8;  // columns at a time: what fits beside a row in the nearest cache
+  constexpr size_t kPanel = 8;  // columns at a time: those fit beside a row in the level 1 cache
   std::vector<double> column(kPanel * m.n);
   for (size_t k = 0; k < first; k += kPanel) {
     const size_t end = std::min(k + kPanel, first), width = end - k;
@@ -49,7 +49,7 @@ inline void eliminate(Symmetric& m, size_t first) {
   }
 }
 
-/// What is left of a matrix after its first unknowns.
+/// The remaining block of a matrix after its first unknowns.
 inline Symmetric rest(const Symmetric& m, size_t first) {
   Symmetric out(m.n - first);
   for (size_t i = 0; i < out.n; ++i)

@@ -7,7 +7,7 @@
 namespace swage::tissue {
 namespace {
 
-/// Between which nodes of 0..n a place is, and how far along.
+/// The interval of the nodes 0..n in which a place lies, and its position in it, 0..1.
 struct Between {
   int node;
   double along;
@@ -35,7 +35,7 @@ Mesh::Mesh(const MeshSpec& spec) {
   column_.resize(nodes_), load_.resize(nodes_), moved_.resize(nodes_);
 }
 
-/// What the mesh around a touch stands for in place of the coarse one.
+/// Subtracts from the coarse mesh the part that the mesh around a contact replaces.
 void Mesh::take_away(const std::vector<Mat3>& rimless) {
   const bool slit = half_slit_ > 0;
   const uint32_t half = columns_ / 2;
@@ -60,7 +60,7 @@ Mesh::Place Mesh::place(double beyond_x, double beyond_y) const noexcept {
   if (half_slit_ > 0) {
     const int half = nx_ / 2;
     p.side = x < 0 ? -1 : 1;
-    const Between at = between_nodes((std::abs(x) - half_slit_) / hx_, half);  // from the edge to the rim
+    const Between at = between_nodes((std::abs(x) - half_slit_) / hx_, half);  // from the slit's edge to the rim
     along = at.along;
     for (int k = 0; k < 2; ++k)
       column[k] = static_cast<uint32_t>(p.side > 0 ? half + 1 + at.node + k : half - at.node - k);

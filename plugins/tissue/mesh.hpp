@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a wall of finite elements gives at one place of its surface to a force at another: a coarse mesh of the whole
-// wall with its rim, and a fine one around whatever touches. Derivation, what of its positivity is proved
-// and what only tested, and limits: tissue.md, level mesh.
+// Displacement of a wall of finite elements at one place of its surface due to a force at another: a coarse mesh of the whole
+// wall with its rim, and a fine one around each contact. Derivation, which part of its positive definiteness is proved
+// and which only tested, and limits: tissue.md, level mesh.
 //
-// Units: m, N. Places are (x, y) on the patch laid flat, origin in its middle. Rows and columns of a response: n (out
+// Units: m, N. Places are (x, y) on the patch laid flat, origin in its middle. Rows and columns of a compliance: n (out
 // of the tissue), x, y.
 #pragma once
 
@@ -27,13 +27,13 @@ struct MeshSpec {
   std::array<double, 2> size{12e-3, 10e-3};  // m
   double thickness = 1e-3;                   // m
   double slit = 0;                           // m
-  double young = 1e6;                        // Pa, at once
-  double spread = 50e-6;                     // m, as of the half space
+  double young = 1e6;                        // Pa, instantaneous
+  double spread = 50e-6;                     // m, as for the half space
   double skin = 0;                           // m, on top of the wall
   double skin_young = 0;                     // Pa
   Underside underside = Underside::kFree;
-  int cells = 16;      // coarse ones along the longer side
-  int refinement = 4;  // how often those around a touch are halved
+  int cells = 16;      // coarse cells along the longer side
+  int refinement = 4;  // number of times that cells around a contact are halved
 };
 
 /// A layer of bricks.
@@ -45,7 +45,7 @@ struct Sheet {
 /// middle.
 struct CoarseGrid {
   explicit CoarseGrid(const MeshSpec& spec);
-  /// What the mesh cannot do with such cells, one sentence; "" where it can.
+  /// "", or one sentence: why the mesh cannot be computed with such cells.
   std::string unfit(const MeshSpec& spec) const;
   int nx, ny;                // cells
   double hx, hy;             // m
@@ -57,50 +57,50 @@ struct CoarseGrid {
 /// column (ny + 1) + row. [main]
 std::vector<double> wall_compliance(const MeshSpec& spec, const CoarseGrid& grid);
 
-/// A layered plate of bricks that has no rim.
+/// A layered plate of bricks without a rim.
 class Plate {
  public:
   /// Bricks of hx x hy [m], layers from below. [main]
   Plate(const std::vector<Sheet>& sheet, double hx, double hy, Underside underside);
-  /// Displacement [m/N] of waves of phases (tx, ty) [rad] from node to node, not both 0, per force of each node: x,
-  /// y, z; those along the surface a quarter of a wave ahead of those across it.
+  /// Displacement [m/N] of waves with phases (tx, ty) [rad] from node to node, not both 0, per force on each node: x,
+  /// y, z; displacements along the surface lead those across it by a quarter of a wave.
   Mat3 answer(double tx, double ty) const;
 
  private:
   /// Stiffness between lower (0..2) and upper (3..5) nodes that are (d % 3 - 1, d / 3 - 1) apart.
   using Stencil = std::array<std::array<std::array<double, 6>, 6>, 9>;
   std::vector<Stencil> kind_;
-  std::vector<size_t> layer_;  // of which kind, from below
+  std::vector<size_t> layer_;  // kind of each layer, from below
   Underside underside_;
 };
-/// Layers of the mesh around a touch: halved `refinement` times at the surface, growing with the depth.
+/// Layers of the mesh around a contact: halved `refinement` times at the surface, growing with the depth.
 std::vector<Sheet> fine_sheets(const MeshSpec& spec, const CoarseGrid& grid);
 
-/// The coarse mesh as it would be without a rim: compliance between nodes that are i columns and j rows apart, at i
-/// (ny + 1) + j; without what long waves bear. [main]
+/// The coarse mesh without a rim: compliance between nodes that are i columns and j rows apart, at i
+/// (ny + 1) + j; without the share of long waves. [main]
 std::vector<Mat3> rimless_compliance(const MeshSpec& spec, const CoarseGrid& grid);
 
-/// The same of the mesh around a touch: mean over all its places and directions, so that it goes along with what
-/// touches. Over the distance. [main] to build, [rt] to ask.
+/// The same for the mesh around a contact: mean over all places and directions, so that it moves with the
+/// contact. Tabulated over the distance. [main] to build, [rt] to query.
 class TouchTable {
  public:
   TouchTable() = default;
   TouchTable(const MeshSpec& spec, const CoarseGrid& grid);
-  /// At (x, y) from the force.
+  /// Compliance at (x, y) from the force.
   Mat3 at(double x, double y) const noexcept;
-  double reach() const { return reach_; }  // m, from where on it is 0
+  double reach() const { return reach_; }  // m, beyond which it is 0
 
  private:
   struct Entry {
     double nn = 0, nl = 0, along = 0, across = 0;  // m/N
   };
   double reach_ = 0, scale_ = 1, per_u_ = 0;
-  std::vector<Entry> entry_;  // over r / (r + scale)
+  std::vector<Entry> entry_;  // equally spaced in r / (r + scale)
 };
 
 class Mesh {
  public:
-  /// A place of the surface: which nodes carry it.
+  /// A place of the surface, and the nodes that interpolate it.
   struct Place {
     static constexpr size_t kNodes = 4;
     double x = 0, y = 0;
@@ -116,11 +116,11 @@ class Mesh {
   Mesh() = default;
   explicit Mesh(const MeshSpec& spec);  // [main]
 
-  /// Of a place beyond the rim: the nearest of it.
+  /// For a place beyond the rim: the nearest place on the rim.
   Place place(double x, double y) const noexcept;
   Mat3 between(const Place& p, const Place& q) const noexcept;
-  /// Of each of n places to each: n x n row by row, all of it. Costs a product for each node near them; scratch is
-  /// the mesh's own.
+  /// Compliances between each pair of n places: n x n row by row, complete. The cost is one product per node near them; work
+  /// space is the mesh's own.
   void responses(std::span<const Place> places, Mat3* out) noexcept;
   /// Displacement of places under loads.
   void displace(std::span<const Place> places, std::span<const Load> loads, Vec3* u) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The fine mesh around a touch. Far from rims it is the same wherever the touch is, and wave by wave a layer of
-// bricks is six unknowns: no system of equations is larger than that, however fine the mesh is.
+// The fine mesh around a contact. Far from rims it is the same wherever the contact is, and for each wave a layer of
+// bricks has six unknowns: no larger system of equations is solved, however fine the mesh is.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,26 +13,26 @@ namespace swage::tissue {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kReach = 12;  // coarse cells: beyond, the coarse mesh is right by itself
+constexpr double kReach = 12;  // coarse cells: beyond, the coarse mesh is accurate by itself
 constexpr double kLongest =
-    2.5;  // coarse cells: waves longer than 2 pi of this are the coarse mesh's, which has the rim
-constexpr double kSteepest = 14;   // of exp(-k spread): waves beyond bear under 1e-6 of a touch
-constexpr int kDirections = 4;     // of waves in a quarter turn; the response is even about its middle
-constexpr double kPerReach = 0.4;  // rad, between two waves at the reach
+    2.5;  // coarse cells: waves longer than 2 pi times this are left to the coarse mesh, which has the rim
+constexpr double kSteepest = 14;   // in exp(-k spread): shorter waves carry less than 1e-6 of a contact's force
+constexpr int kDirections = 4;     // directions of waves in a quarter turn; the response is even about its middle
+constexpr double kPerReach = 0.4;  // rad, phase between two wave numbers at the reach
 constexpr int kPeriod =
-    64;  // coarse cells, after which the mesh without a rim repeats itself: over five reaches
+    64;  // coarse cells, period of the mesh without a rim: more than five reaches
 constexpr size_t kEntries = 320;
-constexpr size_t kWaves = 240;  // whose answers are computed, from the longest to the shortest
-constexpr double kGrow = 1.5;   // a layer may be so much thicker than told when it is the last
+constexpr size_t kWaves = 240;  // number of wave numbers with a computed response, from the longest wave to the shortest
+constexpr double kGrow = 1.5;   // the last layer may be thicker than specified by this factor
 
-/// Share of a wave that is taken from meshes without a rim; the rest, of long waves, is the coarse mesh's own.
+/// Share of a wave that comes from the meshes without a rim; the rest, of long waves, is left to the coarse mesh.
 double short_share(double k, double cell) {
   const double x = k * kLongest * cell, x4 = x * x * x * x;
   return x4 / (1 + x4);
 }
 
-/// Of a wave that many radians from node to node: how much of it the fine nodes carry. Quadratic B-splines of nodes
-/// that were sharpened by 1 - (second difference) / 8, which makes them right to third order.
+/// Share of a wave, t radians from node to node, that the fine nodes interpolate. Quadratic B-splines of nodes
+/// that were sharpened by 1 - (second difference) / 8, which makes them exact to third order.
 double carried(double t) {
   const double s = std::abs(t) < 1e-9 ? 1 : std::sin(0.5 * t) / (0.5 * t);
   return s * s * s * (1 + 0.25 * (1 - std::cos(t)));
@@ -65,7 +65,7 @@ Plate::Plate(const std::vector<Sheet>& sheet, double hx, double hy, Underside un
 }
 
 Mat3 Plate::answer(double tx, double ty) const {
-  // displacements along the surface are a quarter of a wave ahead of those across it: then all of it is real
+  // displacements along the surface lead those across it by a quarter of a wave: then all coefficients are real
   std::vector<Eigen::Matrix<double, 6, 6>> kind(kind_.size());
   for (size_t k = 0; k < kind_.size(); ++k) {
     kind[k].setZero();
@@ -82,7 +82,7 @@ Mat3 Plate::answer(double tx, double ty) const {
         }
     }
   }
-  Mat3 S = Mat3::Zero();  // stiffness of what is below
+  Mat3 S = Mat3::Zero();  // stiffness of the layers below
   for (size_t k = 0; k < layer_.size(); ++k) {
     const auto& A = kind[layer_[k]];
     const Mat3 upper = A.bottomRightCorner<3, 3>(), across = A.topRightCorner<3, 3>();
@@ -117,7 +117,7 @@ std::vector<Sheet> fine_sheets(const MeshSpec& spec, const CoarseGrid& grid) {
 
 namespace {
 
-/// Answers of a plate to waves of length 2 pi / k, mean over their directions, times k; as nodes carry them.
+/// Responses of a plate to waves of length 2 pi / k, mean over their directions, times k; as interpolated by the nodes.
 struct Waves {
   double nn = 0, nl = 0, ll = 0, tt = 0;  // m2/N; n: out of the wall, l: along the wave, t: across it
 
@@ -134,7 +134,7 @@ struct Waves {
       tt += s * s * u(0, 0) - 2 * c * s * u(0, 1) + c * c * u(1, 1);
     }
   }
-  /// That share of the way to other answers, times a weight.
+  /// Linear interpolation to `to` at `share`, times a weight.
   Waves towards(const Waves& to, double share, double weight) const {
     Waves out;
     out.nn = weight * (nn + share * (to.nn - nn)), out.nl = weight * (nl + share * (to.nl - nl));
@@ -143,7 +143,7 @@ struct Waves {
   }
 };
 
-/// Weight of sample i of n in Simpson's rule, times 3 and over the step; the first is 0 here.
+/// Simpson's weight of sample i of n, times 3 over the step; the first sample is 0 here.
 double simpson(int i, int n) { return i == n ? 1 : i % 2 == 1 ? 4 : 2; }
 
 }  // namespace
@@ -155,7 +155,7 @@ TouchTable::TouchTable(const MeshSpec& spec, const CoarseGrid& grid) {
   reach_ = kReach * cell, scale_ = std::max(e, halved * cell);
   per_u_ = (kEntries - 1) * (reach_ + scale_) / reach_;
 
-  // answers at wave numbers in geometric steps; straight lines between positive answers are positive
+  // responses at wave numbers in geometric steps; linear interpolation keeps positive responses positive
   const double steepest = std::min(kSteepest / e, std::numbers::sqrt2 * kPi / std::min(hx, hy));
   const int n = 2 * static_cast<int>(std::ceil(0.5 * steepest * reach_ / kPerReach));
   const double dk = steepest / n, ratio = std::exp(std::log(static_cast<double>(n)) / (kWaves - 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The coarse mesh of the whole wall, eliminated layer by layer from below until only its surface is left.
+// The coarse mesh of the whole wall, eliminated layer by layer from below until only its surface remains.
 #include <algorithm>
 #include <cmath>
 
@@ -12,15 +12,15 @@ namespace swage::tissue {
 namespace {
 
 constexpr int kMostLayers = 8, kLeastLayers = 2;
-// Where these hold, responses are positive (tissue_mesh_test). Flatter cells of a free wall would not bend beside the
-// rim; a wider touch is smoother than what coarse nodes carry, which then would be taken away from nothing.
+// Within these limits responses are positive (tissue_mesh_test). Flatter cells of a free wall would not bend beside the
+// rim; a wider contact has no waves as short as the coarse nodes resolve, whose share would then be subtracted without a replacement.
 constexpr double kFlattest = 1.7;    // coarse cell over the wall's thickness
 constexpr double kWidest = 1 / 6.0;  // spread of a touch over a coarse cell
 
-/// What holds at a plane through the middle: mirror images move alike, or against each other, or there is a free edge.
+/// Condition at a plane through the middle: mirror images move alike, or against each other, or there is a free edge.
 enum class Middle { kEven, kOdd, kFree };
 
-/// A quarter (or, beside a slit, half of one side): nodes from the middle planes to the rim, which is clamped.
+/// A quarter of the wall (or, beside a slit, half of one side): nodes from the middle planes to the clamped rim.
 class Quarter {
  public:
   Quarter(const MeshSpec& spec, const CoarseGrid& grid, Middle at_x, Middle at_y)
@@ -59,7 +59,7 @@ class Quarter {
     return (node / ny_ == 0 && stopped(at_x_, component == 0)) ||
            (node % ny_ == 0 && stopped(at_y_, component == 1));
   }
-  /// A layer between its lower and its upper nodes; held: the lower ones do not move.
+  /// Stiffness of a layer between its lower and its upper nodes; `held`: the lower nodes are fixed.
   Symmetric assembled(const BrickStiffness& K, bool held) const {
     const size_t n = unknowns();
     Symmetric m(2 * n);
@@ -88,7 +88,7 @@ class Quarter {
   Symmetric compliance_{0};
 };
 
-/// A node of the whole surface as one of the quarter, and its mirror signs.
+/// A node of the whole surface mapped to one of the quarter, and its mirror signs.
 struct Image {
   size_t node;
   bool rim, left, near;  // at the rim; x < 0; y < 0
@@ -137,7 +137,7 @@ std::vector<double> wall_compliance(const MeshSpec& spec, const CoarseGrid& grid
   std::vector<double> C(9 * nodes * nodes, 0.0);
   std::vector<Middle> ways_x{Middle::kEven, Middle::kOdd};
   if (slit) ways_x = {Middle::kFree};
-  // a force is the sum of its parts of each parity; a quarter bears a quarter of each, beside a slit half
+  // a force is the sum of its parts of each parity; a quarter of the wall bears a quarter of each, beside a slit half
   const double share = slit ? 0.5 : 0.25;
   for (const Middle at_x : ways_x)
     for (const Middle at_y : {Middle::kEven, Middle::kOdd}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two edges of a slit that come together: each half of the wall gives along x as a whole, on a spring, and edges that meet bear on each
+// Edges of a slit that can close: each half of the wall moves along x as a whole, on a spring, and edges that meet press on each
 // other. Left is the half at x < 0. Units SI, O's x axis. Header-only, pure, [rt].
 #pragma once
 
@@ -10,28 +10,28 @@
 namespace swage::tissue {
 
 struct SlitEdges {
-  double give = 0;  // m/N, of one edge; 0: they stand still
-  double slit = 0;  // m, width of the gap when nothing pulls
+  double give = 0;  // m/N, compliance of one edge; 0: they do not move
+  double slit = 0;  // m, width of the gap without forces
 
-  /// Left and right, along +x.
+  /// Values of the left and the right edge, along +x.
   using Pair = std::array<double, 2>;
 
   bool move() const { return give > 0; }
-  /// Whether they meet under forces f [N].
+  /// True when the edges meet under the forces f [N].
   bool meet(const Pair& f) const { return give * (f[0] - f[1]) >= slit; }
-  /// By what they are displaced, m.
+  /// Displacements of the edges, m.
   Pair displaced(const Pair& f) const {
     const double overlap = give * (f[0] - f[1]) - slit, back = overlap > 0 ? 0.5 * overlap : 0;
     return {give * f[0] - back, give * f[1] + back};
   }
-  /// m, 0 where they meet.
+  /// Width of the gap, m; 0 where they meet.
   double gap(const Pair& f) const {
     const Pair x = displaced(f);
     return slit + x[1] - x[0];
   }
-  /// Displacement of one per force on another, m/N: those that meet go together.
+  /// Displacement of one edge per force on another, m/N: edges that meet move together.
   double between(size_t i, size_t j, bool meeting) const { return meeting ? 0.5 * give : i == j ? give : 0; }
-  /// Where edges that were displaced by f would be without it, were they to give on as they do there, m.
+  /// Displacements without f, m, linearised about the state under f: whether the edges meet stays as it is under f.
   Pair without(const Pair& f) const {
     Pair x = displaced(f);
     const bool meeting = meet(f);

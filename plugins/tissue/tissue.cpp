@@ -15,8 +15,8 @@ using toolkit::vec;
 
 namespace {
 
-// N/m of one touch of a surface that yields: in series with the half space, so stiff that it adds under a hundredth
-// to it.
+// N/m of one contact with a compliant surface: in series with the half space, so stiff that its compliance adds less than
+// a hundredth.
 constexpr double kTouchStiffness = 1e5;
 
 }  // namespace
@@ -67,7 +67,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   if (edges_.move()) gap_ = builder.signal("tissue.gap", "m", "Width of the slit as its edges are drawn now; 0: they meet.");
 }
 
-/// A patch that moves as a whole turns about a line far below it.
+/// Builds a patch that moves as a whole on a hinge far below it.
 void Tissue::build_body(const TissueParams& p, ObjectBuilder& builder) {
   if (!mounted()) {
     body_ = yields() ? builder.flexible_body("wall") : builder.fixed_body("wall");
@@ -87,7 +87,7 @@ void Tissue::forces(const Step& step) {
   step.drive(mount_) = {0, k * square, 2 * std::sqrt(k * params_.mount_mass) * square, k * square};
 }
 
-/// What touches is deeper than what is seen, so that nothing is pushed out on the wrong side.
+/// The colliding pieces are deeper than the drawn ones, so that no object is pushed out on the wrong side.
 void Tissue::add_surface(const TissueParams& params, ObjectBuilder& builder) {
   constexpr uint32_t kStart[] = {0, 4, 8, 12, 16, 20, 24};
   constexpr uint32_t kFaces[] = {0, 1, 2, 3, 7, 6, 5, 4, 0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3, 3, 7, 4, 0};

@@ -50,13 +50,13 @@ struct TissueParams {
   double failure_stress = 0.42e6;  // Pa
 };
 
-/// Where the wall is displaced from: a place that bears or bore a force. Places in O, on the surface; numbers along
+/// A source of displacement of the wall: a place that bears or bore a force. Places in O, on the surface; components along
 /// n, 1, 2 there.
 struct Source {
-  double p[3];            // m, of what creep remembers
-  double v[3];            // N, that: displacement is C (f + v)
-  double q[3], f[3];      // m, N, force of this step: its place moves with what touches
-  double q_old[3], w[3];  // m, N, the same of the step before
+  double p[3];            // m, place to which the creep memory belongs
+  double v[3];            // N, creep memory: displacement is C (f + v)
+  double q[3], f[3];      // m, N, place and force of this step: the place moves with the contact
+  double q_old[3], w[3];  // m, N, place and force of the step before
 };
 
 class Tissue final : public Object<TissueParams>,
@@ -188,23 +188,23 @@ class Tissue final : public Object<TissueParams>,
   uint32_t dents(const Step& step, std::span<swage_dent> out) override;
 
  private:
-  static constexpr uint32_t kSources = 32;  // places remembered; the least one makes room
-  static constexpr uint32_t kPoints = 64;   // of one step that are remembered from mobility() to apply_impulses()
+  static constexpr uint32_t kSources = 32;  // largest number of sources; when full, the weakest is replaced
+  static constexpr uint32_t kPoints = 64;   // contact points of one step that are cached from mobility() to apply_impulses()
   struct State {
     Source source[kSources];
   };
-  /// Of a slit whose edges move: what pulls at each along O's x axis, in this step and in the one before.
+  /// State of a slit whose edges move: forces on each along O's x axis, in this step and in the one before.
   struct SlitState {
-    State sources;         // first: it is read as such too
+    State sources;         // first member: the state is also read as a State
     SlitEdges::Pair f, w;  // N
   };
-  /// A place on the surface: flattened coordinates and the axes n, 1, 2 in W.
+  /// A place on the surface, in O, and its axes n, 1, 2 in W.
   struct Spot {
     Vec3 foot_O = Vec3::Zero();
     Mat3 axes_W = Mat3::Identity();
   };
-  /// What was asked last, so that nothing is computed twice: the same points are asked about three times in a step,
-  /// and a track's stay where they are from step to step. Answers do not depend on whether it was remembered.
+  /// Cache of the last query: the same points are queried about three times in a step, and those of a track stay
+  /// where they are from step to step. Results do not depend on the cache.
   struct Asked {
     uint32_t n = 0;
     toolkit::Pose X_WO;
@@ -212,16 +212,16 @@ class Tissue final : public Object<TissueParams>,
     std::array<swage_vec3, kPoints> p_W{};
     std::array<Spot, kPoints> spot;
     std::array<Mesh::Place, kPoints> place;       // level mesh
-    std::array<bool, kPoints> related{}, felt{};  // whether the next two are of this point
+    std::array<bool, kPoints> related{}, felt{};  // whether C_W, and creep and gone, are valid for this point
     std::vector<Mat3> C_W;                        // kPoints x kPoints, m/N
-    std::array<Vec3, kPoints> creep;              // m, along n, 1, 2: displaced by what is remembered
-    std::array<Vec3, kPoints> gone;               // m, what displaced it in the step before
-    std::vector<Mat3> response;                   // of the mesh
+    std::array<Vec3, kPoints> creep;              // m, along n, 1, 2: displacement by the creep memory
+    std::array<Vec3, kPoints> gone;               // m, displacement by the forces of the step before
+    std::vector<Mat3> response;                   // compliances of the mesh
     std::vector<Mesh::Load> load;
   };
 
   bool yields() const { return params_.level != Level::kPlane; }
-  // m, of the hinge below a patch that moves as a whole: so far that it goes straight, by 4 mrad of tilt for 0.2 mm
+  // m, depth of the hinge below a patch that moves as a whole: it moves almost straight, with 4 mrad of tilt for 0.2 mm
   static constexpr double kMountArm = 50e-3;
   bool mounted() const { return params_.mount_stiffness > 0; }
   void build_body(const TissueParams& params, ObjectBuilder& builder);
@@ -240,7 +240,7 @@ class Tissue final : public Object<TissueParams>,
   void add_edges(const Step& step, uint32_t n, size_t stride, double* v_free, double* W);
   uint32_t source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const;
   void creep_in(double dt);
-  /// Of the wall; what was asked of it elsewhere is forgotten.
+  /// Frame of the wall; when it has changed, the cache is cleared.
   const toolkit::Frame& frame(const Step& step);
 
   TissueParams params_;
@@ -248,7 +248,7 @@ class Tissue final : public Object<TissueParams>,
   Compliance compliance_;
   Mesh mesh_;
   Creep creep_;
-  double creep_dt_ = 0;  // s, of a step or a part of it
+  double creep_dt_ = 0;  // s, step or substep for which creep_ holds
   Asked asked_;
   Body body_;
   Hinge mount_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the surface yields, levels compliant and mesh: displacement = C (f + v), f the forces of this step, v what
-// creep remembers of those before. C is the half space's or the mesh's; all the rest is the same.
+// Displacement of the surface, levels compliant and mesh: u = C (f + v), f the forces of this step, v the creep
+// memory of earlier ones. C is of the half space or of the mesh; all else is common to both.
 #include <swage/plugin.hpp>
 
 #include <algorithm>
@@ -18,9 +18,9 @@ using toolkit::vec;
 
 namespace {
 
-// Forces nearer to each other than this share of the spread act at one place.
+// Share of the spread: forces nearer to each other than this act at one place.
 constexpr double kMerge = 0.25;
-// What creep remembers below this, N, is forgotten: it displaces less than a nanometre.
+// N: a creep memory below this is dropped, as it displaces by less than a nanometre.
 constexpr double kForgotten = 1e-9;
 
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
@@ -30,10 +30,10 @@ void put(double* to, const Vec3& a) {
 bool zero(const double* a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 bool same(const double* a, const double* b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 bool same(const swage_vec3& a, const swage_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-/// Where a source is seen: where it bears, or bore.
+/// Place of a source: of its force, or without one of its creep memory.
 Vec3 place_of(const Source& s) { return vec3(zero(s.f) ? s.p : s.q); }
 
-/// From b to a on the surface laid flat: distances along x grow with the slope there.
+/// Vector from b to a on the surface laid flat: distances along x grow with the slope there.
 struct Way {
   double x, y;
   Way(const Vec3& a, const double* b) : x(a.x() - b[0]), y(a.y() - b[1]) {
@@ -42,7 +42,7 @@ struct Way {
   }
 };
 
-/// A C B' column by column.
+/// A C B', computed column by column.
 Mat3 turned(const Mat3& A, const Mat3& C, const Mat3& B) {
   Mat3 AC, out;
   for (int j = 0; j < 3; ++j) AC.col(j) = C(0, j) * A.col(0) + C(1, j) * A.col(1) + C(2, j) * A.col(2);
@@ -71,7 +71,7 @@ Tissue::Spot Tissue::spot(const Frame& X_WO, const Vec3& foot_O) const {
   return s;
 }
 
-/// Spots of points, at the same index in asked_; returns how many.
+/// Finds the spots of points, at the same index in asked_; returns their number.
 uint32_t Tissue::look_up(const Step& step, std::span<const swage_contact_point> points) {
   Asked& a = asked_;
   const Frame& X_WO = frame(step);
@@ -86,7 +86,7 @@ uint32_t Tissue::look_up(const Step& step, std::span<const swage_contact_point> 
   return a.n = n;
 }
 
-/// Displacement per force between all points, in W.
+/// Computes the displacement per force between all points, in W.
 void Tissue::relate(uint32_t n) {
   Asked& a = asked_;
   if (std::all_of(a.related.begin(), a.related.begin() + n, [](bool yes) { return yes; })) return;
@@ -102,7 +102,7 @@ void Tissue::relate(uint32_t n) {
   std::fill_n(a.related.begin(), n, true);
 }
 
-/// What displaces all points: by what is remembered, and by the forces of the step before.
+/// Computes the displacement of all points: by creep memory, and by the forces of the step before.
 void Tissue::feel(const State& state, uint32_t n) {
   Asked& a = asked_;
   if (params_.level == Level::kMesh) return feel_mesh(state, n);
@@ -151,7 +151,7 @@ void Tissue::advance(const Step& step) {
   slit.w = slit.f, slit.f = {};
 }
 
-/// u = C (f + v): while nothing new presses, the surface goes over the step by C (v - v / keep) - C w.
+/// u = C (f + v): without new forces the surface moves over the step by C (v - v / keep) - C w.
 void Tissue::mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                         double* W) {
   const uint32_t n = look_up(step, points);
@@ -174,7 +174,7 @@ void Tissue::mobility(const Step& step, std::span<const swage_contact_point> poi
   if (edges_.move()) add_edges(step, n, stride, v_free, W);
 }
 
-/// All of a half goes along with its edge. Linear about what pulled in the step before.
+/// Adds the motion of the edges: all of a half moves with its edge. Linearised about the forces of the step before.
 void Tissue::add_edges(const Step& step, uint32_t n, size_t stride, double* v_free, double* W) {
   const SlitEdges::Pair& w = step.state<SlitState>().w;
   const SlitEdges::Pair is = edges_.displaced(w), free = edges_.without(w);
@@ -209,8 +209,8 @@ void Tissue::displacement(const Step& step, std::span<const swage_contact_point>
   }
 }
 
-/// The source that remembers for a place and bears nothing yet in this step: the nearest one, or the one that matters
-/// least. `size`: of what each displaces by, squared, N2.
+/// The source for a force at a place, without a force yet in this step: the nearest one, or the one with the smallest
+/// displacement. `size`: square of the forces by which each displaces, N2.
 uint32_t Tissue::source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const {
   const double merge = kMerge * params_.spread;
   uint32_t least = 0, nearest = kSources;
@@ -251,7 +251,7 @@ void Tissue::apply_impulses(const Step& step, std::span<const swage_contact_poin
   for (Source& s : state.source) put(s.v, vec3(s.v) + creep_.gain * vec3(s.f));
 }
 
-/// Where a place of the surface is displaced to [m, along n, 1, 2].
+/// Displacement of a place of the surface [m, along n, 1, 2].
 Vec3 Tissue::displaced(const State& state, const Vec3& foot_O) {
   Vec3 u = Vec3::Zero();
   if (params_.level == Level::kMesh) {
@@ -294,7 +294,7 @@ void Tissue::finish(const Step& step) {
   if (mounted()) step.signal(shift_, kMountArm * step.hinge_angle(mount_));
 }
 
-/// Displacement of a place by its own force.
+/// Compliance of a place for a force at the same place.
 Mat3 Tissue::own(const Vec3& foot_O) const {
   if (params_.level != Level::kMesh) return compliance_.between(0, 0);
   const Mesh::Place at = place(foot_O);

@@ -14,9 +14,9 @@ namespace swage::tissue {
 namespace {
 
 constexpr uint32_t kMostNodes =
-    64;  // of a table along one side: more would be more pieces than a step should look at
-constexpr int kStrips = 24;  // convex strips that stand for a bent surface
-constexpr int kFeet = 3;  // corrections of the nearest place on a bent surface; exact on planes at the first
+    64;  // of a table along one side: more would give more convex pieces than a step can test
+constexpr int kStrips = 24;  // convex strips that approximate a curved surface
+constexpr int kFeet = 3;  // iterations for the nearest place on a curved surface; exact on planes after the first
 
 }  // namespace
 
@@ -117,7 +117,7 @@ WallPlace Wall::locate(const Vec3& p_O) const noexcept {
   return place;
 }
 
-/// Where the pieces meet, along x.
+/// Borders of the pieces, along x.
 std::vector<double> Wall::stations() const {
   const bool bent = shape_.form > Form::kRightSlope;
   const int n = shape_.form == Form::kTable ? static_cast<int>(shape_.table.nx) - 1 : bent ? kStrips : 1;
@@ -140,7 +140,7 @@ std::vector<Wall::Piece> Wall::pieces(double depth) const {
       const double y0 = shape_.size[1] * (static_cast<double>(j) / rows - 0.5);
       const double y1 = shape_.size[1] * (static_cast<double>(j + 1) / rows - 0.5);
       const double at[4][2] = {{x[i], y0}, {x[i + 1], y0}, {x[i + 1], y1}, {x[i], y1}};
-      // the upper face is one plane: that of the middle of the piece
+      // the upper face is planar: tangent at the middle of the piece
       const double mx = 0.5 * (x[i] + x[i + 1]), my = 0.5 * (y0 + y1);
       const Vec3 n = normal(mx, my);
       const double mz =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shape of a patch of wall in the object's frame O: an entry surface z = height(x, y), a far surface one
-// thickness below, a rim, a slit. And the convex pieces that stand for it where things touch it.
+// thickness below, a rim, a slit; and the convex pieces that represent it in contact detection.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct WallShape {
   HeightTable table;
 };
 
-/// Where a point is.
+/// Position of a point relative to the wall.
 struct WallPlace {
   double depth = 0;             // m below the entry surface
   double edge = 0;              // m inside rim and slit
