@@ -33,14 +33,16 @@
 //          gripper named by `of`, leans as it sees it
 //   choose mark, of, signal, among, time: waits until the mark moves, then goes to one of the marks `among`: the first where the signal
 //          is 1, the second where it is 2
-//   wind   about, turns, along, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
-//          right-handed about the way from its hinge to its tips (negative: the other way), and by `along` on that way; meanwhile
+//   wind   about, turns, along, in, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
+//          right-handed about the way from its hinge to its tips (negative: the other way), by `along` on that way, and nearer to it by
+//          `in`, as a thread gets shorter that is wound; meanwhile
 //          outwards by `by` in a second while the signal is below `more`, inwards while it is above `less`: a thread is kept drawn
 //          by what the hand feels of it. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
 //          with `roll` it keeps its direction, out of the way of the other thread, and rolls about its own axis between the fingers.
 //          With `follows` it goes where the gripper goes: a turn stays on tips that reach for a tail
 //   again  from: on with that act, counted from 0; with of, signal, more, less, time: looks for so long, then on with that act if the
-//          signal is within these, else with the next: a turn that slipped off is wound anew
+//          signal is within these, else with the next: a turn that slipped off is wound anew. Without a signal that act is an
+//          earlier one; with a signal it may be a later one: what is held is not taken once more
 #pragma once
 
 #include <string>
@@ -98,7 +100,7 @@ struct Act {
   std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
   std::vector<std::string> among;  // of choose: meanings of marks
   std::string about;            // of wind: name of a gripper
-  double turns = 0, along = 0;  // 1, m
+  double turns = 0, along = 0, in = 0;  // 1, m, m
   bool rolls = false;           // the tool turns along
   bool follows = false;         // of wind: it goes along with the other gripper
   double roll = 0;              // rad, about its own axis
