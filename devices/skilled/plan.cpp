@@ -40,7 +40,7 @@ const std::map<std::string, Form>& forms() {
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
       {"choose", {Verb::kChoose, {"mark", "of", "signal", "among"}, {"mark", "of", "signal", "among"}}},
-      {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "roll", "follows", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
+      {"wind", {Verb::kWind, {"about", "turns", "along", "in", "rolls", "roll", "follows", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
       {"again", {Verb::kAgain, {"from", "of", "signal", "more", "less"}, {"from"}}},
   };
   return all;
@@ -90,6 +90,7 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("near", Measure::kLength, act.near);
   number("turns", Measure::kNumber, act.turns);
   number("along", Measure::kLength, act.along);
+  number("in", Measure::kLength, act.in);
   if (act.verb == Verb::kBack || act.verb == Verb::kWind) number("by", Measure::kLength, act.by);
 
   if (!(act.time > 0)) reader.fail(where + "/time", say::kTakesTime());
@@ -226,8 +227,9 @@ Plan parse_plan(const std::string& text, const std::string& name) {
     plan.closure = reader.number(start["closure"], Measure::kNumber, "/start/closure");
   for (size_t i = 0; i < file["acts"].size(); ++i)
     plan.acts.push_back(read_act(reader, file["acts"][i], "/acts/" + std::to_string(i)));
+  // what asks nothing goes back, and what asks may leave out acts as well
   for (size_t i = 0; i < plan.acts.size(); ++i)
-    if (plan.acts[i].verb == Verb::kAgain && plan.acts[i].from_act >= i)
+    if (const Act& act = plan.acts[i]; act.verb == Verb::kAgain && (act.is_loop() ? act.from_act >= i : act.from_act == i || act.from_act >= plan.acts.size()))
       reader.fail("/acts/" + std::to_string(i) + "/from", say::kEarlierAct());
   return plan;
 }

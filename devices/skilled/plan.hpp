@@ -34,13 +34,14 @@
 //   choose mark, of, signal, among, time: waits until the mark moves, then moves to one of the marks `among`: the first where the signal
 //          is 1, the second where it is 2
 //   wind   about, turns, along, of, signal, more, less, by, time: moves its tips by so many turns about the gripper named by `about`,
-//          right-handed about the direction from its hinge to its tips (negative: left-handed), and by `along` in it; meanwhile
-//          outwards by `by` per second while the signal is below `more`, inwards while it is above `less`: keeps a thread taut
+//          right-handed about the direction from its hinge to its tips (negative: left-handed), by `along` in it, and nearer by
+//          `in`, as a thread that is wound gets shorter; meanwhile outwards by `by` per second while the signal is below `more`, inwards while it is above `less`: keeps a thread taut
 //          by the force that the hand feels. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
 //          with `roll` it keeps its direction, away from the other thread, and rolls about its own axis between the fingers.
 //          With `follows` it moves with the gripper: a turn stays on tips that reach for a tail
 //   again  from: continues with that act, counted from 0; with of, signal, more, less, time: observes for that time, then continues with
-//          that act if the signal is within these limits, else with the next: a turn that slipped off is wound again
+//          that act if the signal is within these limits, else with the next: a turn that slipped off is wound again. With a
+//          signal the act may be a later one: what is held already is not taken again
 #pragma once
 
 #include <string>
@@ -98,7 +99,7 @@ struct Act {
   std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
   std::vector<std::string> among;  // of choose: meanings of marks
   std::string about;            // of wind: name of a gripper
-  double turns = 0, along = 0;  // 1, m
+  double turns = 0, along = 0, in = 0;  // 1, m, m
   bool rolls = false;           // wind: the tool turns with the winding
   bool follows = false;         // wind: the tool moves with the other gripper
   double roll = 0;              // rad, about its own axis

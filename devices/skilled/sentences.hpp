@@ -31,7 +31,7 @@ inline constexpr auto kGoesOn = R"(it goes on there while "of", "signal" and "mo
 inline constexpr auto kWayOrPlace = R"(give "by", a way, or "at", a place)"_sentence;
 inline constexpr auto kRollOrTurn = R"(give "roll", or "axis" and "closing")"_sentence;
 inline constexpr auto kFromOrKeep = R"(give "from", the side from which it comes, or "keep", its attitude)"_sentence;
-inline constexpr auto kEarlierAct = "the number of an act before this one"_sentence;
+inline constexpr auto kEarlierAct = "the number of an act before this one, or of any other where it asks for a signal"_sentence;
 inline constexpr auto kWithWhat = R"("needle" or "jaws" is needed here)"_sentence;
 
 // the scene

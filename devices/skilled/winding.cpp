@@ -7,6 +7,11 @@
 #include "skilled.hpp"
 
 namespace swage::skilled {
+namespace {
+
+constexpr double kNearest = 0.5e-3;  // m, half the width of a pair of jaws: nearer the tips would be in the other gripper
+
+}  // namespace
 
 /// Pose after a share of a winding: about the other gripper's axis, at its present radius.
 Pose Skilled::wound(const Act& act, double u) const {
@@ -14,12 +19,11 @@ Pose Skilled::wound(const Act& act, double u) const {
   const Quat q = toolkit::exp_rotation(u * act.turns * 2 * std::numbers::pi * about_axis_W_);
   const Quat own = toolkit::exp_rotation(u * act.roll * Vec3::UnitX());
   const Vec3 gone = act.follows ? Vec3(seen_.tip_W - about_W_) : Vec3(Vec3::Zero());
-  return {about_W_ + gone + along + u * act.along * about_axis_W_ + radius_ * (q * out), ((act.rolls ? Quat(q * from_.q) : from_.q) * own).normalized()};
+  return {about_W_ + gone + along + u * act.along * about_axis_W_ + std::max(kNearest, radius_ - u * act.in) * (q * out), ((act.rolls ? Quat(q * from_.q) : from_.q) * own).normalized()};
 }
 
 /// Moves outwards while the felt tension is too small and inwards while it is too large; never into the other gripper.
 void Skilled::feel(const Act& act, double dt) {
-  constexpr double kNearest = 0.5e-3;  // m, half the width of a pair of jaws
   const double way = seen_.signal < act.more ? 1 : seen_.signal > act.less ? -1 : 0;
   radius_ = std::max(kNearest, radius_ + way * act.by * dt);
 }

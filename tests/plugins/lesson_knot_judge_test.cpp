@@ -164,6 +164,30 @@ TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
   EXPECT_EQ(a.memory.drops, 2);
 }
 
+// jaws that stay closed with nothing left between them have lost the thread: by what they hold and not by what they do
+TEST(KnotJudge, ALongEndThatIsDrawnOutOfClosedJawsIsADrop) {
+  const auto drops = [](const Word& tied, int jaws) {
+    Attempt a;
+    a.now.word = tied;
+    a.go(100);
+    for (const double force : {0.2, 0.1, 0.05, 0.01}) a.now.grip[jaws] = force, a.go(1);  // as it slips out
+    a.now.grip[jaws] = 0, a.now.held[jaws] = false;
+    a.go(500);
+    EXPECT_EQ(a.memory.has[jaws], 0);
+    return a.memory.drops;
+  };
+  EXPECT_EQ(drops(word({}), 0), 1);
+  EXPECT_EQ(drops(word({1}), 0), 0) << "all is tied";
+  EXPECT_EQ(drops(word({}), 1), 0) << "of the tail no drop is told";
+  // told while it is still said to be held, without force
+  Attempt a;
+  a.go(100);
+  a.now.grip[0] = 0;
+  EXPECT_TRUE(a.go(1).dropped);
+  EXPECT_EQ(a.go(100).stage, Stage::kTake);
+  EXPECT_EQ(a.memory.drops, 1);
+}
+
 TEST(KnotJudge, GrippingTooHardEndsATestAndNotPractice) {
   for (const bool ends : {true, false}) {
     Rules rules;

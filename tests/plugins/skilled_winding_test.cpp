@@ -24,6 +24,26 @@ TEST_F(SkilledHand, WindsAboutAnotherGripper) {
   EXPECT_LT((X_WT_.q * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-9) << "it does not turn";
 }
 
+// by `in` it comes nearer on a spiral, and never into the other gripper
+TEST_F(SkilledHand, ComesNearerWhileItWinds) {
+  stage::FakeGripper other;
+  other.state.tip_W = {8e-3, 0, 2e-3};
+  for (const auto& [in, left] : {std::pair{"2 mm", 1e-3}, {"9 mm", 0.5e-3}}) {
+    make(std::string(R"({"act": "wind", "about": "holder", "turns": 1.25, "in": ")") + in + R"(", "time": "1 s"})");
+    objects_[0].instance = &other.raw;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    double before = 3e-3;
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) {
+      step();
+      const double r = std::hypot(X_WT_.p.y(), X_WT_.p.z() - 2e-3);
+      EXPECT_LE(r, before + 1e-12);
+      before = r;
+    }
+    EXPECT_LT((X_WT_.p - Vec3(8e-3, -left, 2e-3)).norm(), 1e-9) << in;
+  }
+}
+
 // a thread that gets shorter draws, one that gets slack is drawn
 TEST_F(SkilledHand, KeepsWhatItWindsDrawn) {
   stage::FakeGripper other;
@@ -79,6 +99,19 @@ TEST_F(SkilledHand, DoesAgainWhatASignalSaysIsUndone) {
     for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;)
       force_ = X_WT_.p.x() > 8e-3 + (times - 0.5) * 1e-3 ? 1 : 0, step();
     EXPECT_LT((X_WT_.p - Vec3(8e-3 + times * 1e-3, 2e-3, 5e-3)).norm(), 1e-9) << times;
+  }
+}
+
+// acts that a signal makes needless are left out: what is held is not taken once more
+TEST_F(SkilledHand, LeavesOutWhatASignalSaysIsDone) {
+  for (const bool done : {false, true}) {
+    make(R"({"act": "again", "from": 2, "of": "grasp", "signal": "grasp.force", "more": 0.5, "time": "0.02 s"},
+            {"act": "move", "by": ["1 mm", "0 mm", "0 mm"], "time": "0.1 s"},
+            {"act": "move", "by": ["0 mm", "2 mm", "0 mm"], "time": "0.1 s"})");
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) force_ = done ? 1 : 0, step();
+    EXPECT_LT((X_WT_.p - Vec3(done ? 8e-3 : 9e-3, 2e-3, 5e-3)).norm(), 1e-9) << done;
   }
 }
 
