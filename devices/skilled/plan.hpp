@@ -35,8 +35,8 @@
 //          is 1, the second where it is 2
 //   wind   about, turns, along, of, signal, more, less, by, time: moves its tips by so many turns about the gripper named by `about`,
 //          right-handed about the direction from its hinge to its tips (negative: left-handed), by `along` in it, and nearer by
-//          `in`, as a thread that is wound gets shorter; meanwhile outwards by `by` per second while the signal is below `more`, inwards while it is above `less`: keeps a thread taut
-//          by the force that the hand feels. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
+//          `in`, as a thread that is wound gets shorter; meanwhile outwards by `by` per second while the signal is below `more`,
+//          inwards while it is above `less`: keeps a thread taut by the force that the hand feels. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
 //          with `roll` it keeps its direction, away from the other thread, and rolls about its own axis between the fingers.
 //          With `follows` it moves with the gripper: a turn stays on tips that reach for a tail
 //   again  from: continues with that act, counted from 0; with of, signal, more, less, time: observes for that time, then continues with
