@@ -76,10 +76,6 @@
         <translation>Die Hälfte ist nach %1 Versuchen erreicht.</translation>
     </message>
     <message>
-        <source>%1 at byte %2</source>
-        <translation>%1 bei Byte %2</translation>
-    </message>
-    <message>
         <source>lower is better</source>
         <translation>niedriger ist besser</translation>
     </message>
@@ -404,12 +400,44 @@
         <translation>Entschieden durch das Gemessene von: %1.</translation>
     </message>
     <message>
-        <source>%1 (%2 of %3 items)</source>
-        <translation>%1 (%2 von %3 Punkten)</translation>
+        <source>Not passed, so without a score and left out: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The mean of the decided items; the others are left to an observer. %1</source>
-        <translation>Das Mittel der entschiedenen Punkte; die anderen bleiben einem Beobachter überlassen. %1</translation>
+        <source>Not passed, counted with what was measured: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No metric decides it: it is left to an observer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, computed (%2 of %3 items)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed from metrics; %1 of %2 items. Items not decided by the program are not counted. Source: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The metrics of this attempt decide no item.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed from metrics: %1, the mean of %2 of %3 items; items not decided by the program are not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s rating: %1, the mean of %2 of %3 items.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded hand</source>
+        <translation type="unfinished">Aufgezeichnete Hand</translation>
+    </message>
+    <message>
+        <source>Recorded hand: %1</source>
+        <translation type="unfinished">Aufgezeichnete Hand: %1</translation>
     </message>
 </context>
 <context>
@@ -439,6 +467,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Largest %1 %</source>
         <translation>Größte %1 %</translation>
+    </message>
+    <message>
+        <source>Entry %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit %1 %</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -480,16 +516,36 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Ungültig: %1</translation>
     </message>
     <message>
-        <source>Swage %1. For teaching, not for certification.</source>
-        <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+        <source>Points lost</source>
+        <translation type="unfinished">Verlorene Punkte</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <source>Of 100</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On scales of surgeons: %1</source>
-        <translation>Auf Skalen der Chirurgen: %1</translation>
+        <source>Source: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed from metrics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s rating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Further moments, in the review: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -686,10 +742,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 of %2 attempts passed.</source>
-        <translation>%1 von %2 Versuchen bestanden.</translation>
-    </message>
-    <message>
         <source> Now: %1.</source>
         <translation> Jetzt: %1.</translation>
     </message>
@@ -702,12 +754,20 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Anmerkung der Ausbilder: ______________________________________________</translation>
     </message>
     <message>
-        <source>Swage %1. For teaching, not for certification.</source>
-        <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: %2.</source>
         <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts at all lessons passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts at this lesson passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished">Versuche</translation>
     </message>
 </context>
 <context>
@@ -731,6 +791,17 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Twice in the list</source>
         <translation>Zweimal in der Liste</translation>
+    </message>
+</context>
+<context>
+    <name>sheet</name>
+    <message>
+        <source>Swage %1. For teaching, not for certification.</source>
+        <translation type="unfinished">Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -805,13 +876,13 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Assign</source>
         <translation>Zuweisen</translation>
     </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::AttemptsModel</name>
-    <message>
-        <source>Recorded hand</source>
-        <translation>Aufgezeichnete Hand</translation>
-    </message>
     <message>
         <source>%1 (voided by %2)</source>
         <translation>%1 (für ungültig erklärt: %2)</translation>
@@ -843,6 +914,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Reason</source>
         <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Recorded hand, not counted</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1560,16 +1635,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
 <context>
     <name>swage::console::GuideControl</name>
     <message>
-        <source>No guide: %1</source>
-        <translation>Keine Führung: %1</translation>
-    </message>
-    <message>
         <source>Expert</source>
         <translation>Experte</translation>
     </message>
     <message>
-        <source>No guide: the scripted expert does not pass this lesson as it is set.</source>
-        <translation>Keine Führung: der vorgegebene Experte besteht diese Lektion mit diesen Einstellungen nicht.</translation>
+        <source>No guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scripted expert does not pass this lesson as it is set.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1974,6 +2049,30 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>After an attempt: review it; the next lesson</source>
         <translation>Nach einem Versuch: ihn ansehen; die nächste Lektion</translation>
     </message>
+    <message>
+        <source>F2</source>
+        <translation type="unfinished">F2</translation>
+    </message>
+    <message>
+        <source>While an attempt runs: what is asked, and the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter,  Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the button that has the keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit; asks while a lesson runs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -2046,6 +2145,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>The lesson &quot;%1&quot; is here already.</source>
         <translation>Die Lektion „%1“ ist schon hier.</translation>
+    </message>
+    <message>
+        <source>It is part of these courses: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2221,6 +2324,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Can be changed while the lesson runs.</source>
         <translation>Kann geändert werden, während die Lektion läuft.</translation>
     </message>
+    <message>
+        <source>from </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to </source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::MainWindow</name>
@@ -2299,10 +2410,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>The scene for two eyes in a window of its own (F9)</source>
         <translation>Die Szene für zwei Augen in einem eigenen Fenster (F9)</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
     </message>
     <message>
         <source>Settings of the trainee view</source>
@@ -2387,6 +2494,42 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Saved as a lesson of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eyes…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lesson is running. Closing the window stops it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lesson is running. Closing the window stops it; the attempt is kept as stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close Swage?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window was closed while a lesson ran: that attempt is kept as stopped.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2585,6 +2728,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is asked, and the limits, in place of the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::Pages</name>
@@ -2749,8 +2900,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Zuletzt da</translation>
     </message>
     <message>
-        <source>Needs attention</source>
-        <translation>Braucht Hilfe</translation>
+        <source>How it goes</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2790,10 +2941,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Report…</source>
         <translation>Bericht…</translation>
-    </message>
-    <message>
-        <source>One page about the chosen person and lesson, to print</source>
-        <translation>Eine Seite zum Drucken über die gewählte Person und Lektion</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -2912,16 +3059,32 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>1 Person</translation>
     </message>
     <message>
-        <source>%1 people, those who need attention first</source>
-        <translation>%1 Personen, zuerst wer Hilfe braucht</translation>
-    </message>
-    <message>
         <source>No one here yet. Attempts appear here after the first lesson; without a name they are kept for Guest, and can be given a name later.</source>
         <translation>Noch niemand hier. Versuche erscheinen nach der ersten Lektion; ohne Namen werden sie für den Gast aufgehoben und können später einen Namen bekommen.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
         <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Pages about the chosen person and lesson, to print; of several people the one chosen last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is about %1 alone, one of the %2 people chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, those who need attention first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3074,16 +3237,55 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Alle Lektionen</translation>
     </message>
     <message>
-        <source>1 attempt, %1 passed</source>
-        <translation>1 Versuch, %1 bestanden</translation>
-    </message>
-    <message>
-        <source>%1 attempts, %2 passed</source>
-        <translation>%1 Versuche, %2 bestanden</translation>
-    </message>
-    <message>
         <source>These are several lessons. Choose one to see its learning curve.</source>
         <translation>Das sind mehrere Lektionen. Wählen Sie eine, um ihre Lernkurve zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 more not counted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counted is what a person finished. Recorded hands, void attempts and those that were stopped count for nobody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::RatingPanel</name>
+    <message>
+        <source>Rating scales of surgeons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your rating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your rating: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own points; kept with the attempt, and taken back with Ctrl+Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratings are kept with attempts of the store.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3159,6 +3361,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>A demonstration: nothing was judged or recorded.</source>
         <translation>Eine Vorführung: nichts wurde gewertet oder aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>To pass</source>
+        <translation type="unfinished">Zum Bestehen</translation>
+    </message>
+    <message>
+        <source>Limits in a test</source>
+        <translation type="unfinished">Grenzen im Test</translation>
+    </message>
+    <message>
+        <source>%1: %2 active, %3 free</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3248,24 +3462,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Bericht (PDF)</translation>
     </message>
     <message>
-        <source>Save a page about the attempt</source>
-        <translation>Eine Seite über den Versuch speichern</translation>
-    </message>
-    <message>
-        <source>One page to print: result, metrics, worst moments, traces, notes</source>
-        <translation>Eine Seite zum Drucken: Ergebnis, Kennzahlen, schlechteste Momente, Kurven, Notizen</translation>
-    </message>
-    <message>
         <source>Export summary (CSV)</source>
         <translation>Übersicht (CSV)</translation>
     </message>
     <message>
         <source>Save metrics and events</source>
         <translation>Kennzahlen und Ereignisse speichern</translation>
-    </message>
-    <message>
-        <source>Facts, metrics and events</source>
-        <translation>Angaben, Kennzahlen und Ereignisse</translation>
     </message>
     <message>
         <source>The attempt, replayed</source>
@@ -3466,6 +3668,66 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Open a file…</source>
         <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>There is no other attempt at this lesson in the store, of anybody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, on the way to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scales</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rating scales of surgeons: as computed from metrics, and your own rating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points lost, of 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each fault has cost of the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages to print: result, metrics, ratings, worst moments, traces, notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save pages about the attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt as a file for other programs, or for another station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facts, metrics, ratings and events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The rating was not kept: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3737,6 +3999,30 @@ Bea L., Frühjahr, links</translation>
         <source>An expert&apos;s instruments, seen through, show what comes next and wait for you; not in a test (F4)</source>
         <translation>Durchscheinende Instrumente eines Experten zeigen, was als Nächstes kommt, und warten auf Sie; nicht im Test (F4)</translation>
     </message>
+    <message>
+        <source>New trainee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has not practised here before. Add as a trainee?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add and start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropped: put it back with F7, or take it where it lies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held at the wrong place: open the jaws (B), and take it at the mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held at the wrong place: open the jaws, and take it at the mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneInput</name>
@@ -3763,6 +4049,14 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Hold T: drive the needle</source>
         <translation>T halten: die Nadel führen</translation>
+    </message>
+    <message>
+        <source>F7: put it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold B: open the jaws</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3812,6 +4106,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Remove a note</source>
         <translation>Notiz entfernen</translation>
+    </message>
+    <message>
+        <source>Rate an item</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3936,6 +4234,26 @@ Bea L., Frühjahr, links</translation>
         <source>The device whose button or pedal that is</source>
         <translation>Das Gerät, dessen Knopf oder Pedal das ist</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the window is written in, from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SetupPanel</name>
@@ -4008,10 +4326,6 @@ Bea L., Frühjahr, links</translation>
         <translation>Übung</translation>
     </message>
     <message>
-        <source>Cues are shown. Limits of force and time are told and end nothing.</source>
-        <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden gesagt und beenden nichts.</translation>
-    </message>
-    <message>
         <source>Test</source>
         <translation>Test</translation>
     </message>
@@ -4036,10 +4350,6 @@ Bea L., Frühjahr, links</translation>
         <translation>Maus und Tastatur</translation>
     </message>
     <message>
-        <source>As the lesson says</source>
-        <translation>Wie die Lektion sagt</translation>
-    </message>
-    <message>
         <source>Recorded hand: %1</source>
         <translation>Aufgezeichnete Hand: %1</translation>
     </message>
@@ -4062,6 +4372,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Running…</source>
         <translation>Läuft…</translation>
+    </message>
+    <message>
+        <source>Cues are shown. Limits of force and time are told and end nothing; a recorded hand is judged as in a test.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4242,10 +4556,6 @@ Bea L., Frühjahr, links</translation>
         <translation>Platz</translation>
     </message>
     <message>
-        <source>Who</source>
-        <translation>Wer</translation>
-    </message>
-    <message>
         <source>Lesson</source>
         <translation>Lektion</translation>
     </message>
@@ -4276,6 +4586,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Health</source>
         <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation type="unfinished">Trainee</translation>
     </message>
 </context>
 <context>
@@ -4777,10 +5091,6 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Die Texte sind geändert.</translation>
     </message>
     <message>
-        <source>No value is changed yet.</source>
-        <translation>Noch kein Wert ist geändert.</translation>
-    </message>
-    <message>
         <source>Those of the last attempt are kept.</source>
         <translation>Die des letzten Versuchs bleiben.</translation>
     </message>
@@ -4807,6 +5117,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Change a value or a part: a copy under another title would be the same lesson.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4870,10 +5184,6 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Perpendicular to the tissue</source>
         <translation>Senkrecht zum Gewebe</translation>
-    </message>
-    <message>
-        <source>Off-angle: follow the curve</source>
-        <translation>Schräg: Krümmung folgen</translation>
     </message>
     <message>
         <source>Look here</source>
@@ -5050,6 +5360,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Edges together</source>
         <translation>Ränder beisammen</translation>
+    </message>
+    <message>
+        <source>Off-angle: rotate along the curve</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
