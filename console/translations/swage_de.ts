@@ -401,43 +401,43 @@
     </message>
     <message>
         <source>Not passed, so without a score and left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bestanden, daher ohne Punktzahl und weggelassen: %1.</translation>
     </message>
     <message>
         <source>Not passed, counted with what was measured: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bestanden, mit dem Gemessenen gezählt: %1.</translation>
     </message>
     <message>
         <source>No metric decides it: it is left to an observer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kennzahl entscheidet das: Es bleibt einem Beobachter überlassen.</translation>
     </message>
     <message>
         <source>%1, computed (%2 of %3 items)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, berechnet (%2 von %3 Kriterien)</translation>
     </message>
     <message>
         <source>Computed from metrics; %1 of %2 items. Items not decided by the program are not counted. Source: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Kennzahlen berechnet; %1 von %2 Kriterien. Was das Programm nicht entscheidet, zählt nicht. Quelle: %3</translation>
     </message>
     <message>
         <source>The metrics of this attempt decide no item.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kennzahlen dieses Versuchs entscheiden kein Kriterium.</translation>
     </message>
     <message>
         <source>Computed from metrics: %1, the mean of %2 of %3 items; items not decided by the program are not counted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Kennzahlen berechnet: %1, Mittel von %2 der %3 Kriterien; was das Programm nicht entscheidet, zählt nicht.</translation>
     </message>
     <message>
         <source>Instructor&apos;s rating: %1, the mean of %2 of %3 items.</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil der Lehrkraft: %1, Mittel von %2 der %3 Kriterien.</translation>
     </message>
     <message>
         <source>Recorded hand</source>
-        <translation type="unfinished">Aufgezeichnete Hand</translation>
+        <translation>Aufgezeichnete Hand</translation>
     </message>
     <message>
         <source>Recorded hand: %1</source>
-        <translation type="unfinished">Aufgezeichnete Hand: %1</translation>
+        <translation>Aufgezeichnete Hand: %1</translation>
     </message>
 </context>
 <context>
@@ -470,11 +470,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Entry %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstich %1 %</translation>
     </message>
     <message>
         <source>Exit %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausstich %1 %</translation>
     </message>
 </context>
 <context>
@@ -517,35 +517,35 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Points lost</source>
-        <translation type="unfinished">Verlorene Punkte</translation>
+        <translation>Verlorene Punkte</translation>
     </message>
     <message>
         <source>Of 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Von 100</translation>
     </message>
     <message>
         <source>Source: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterium</translation>
     </message>
     <message>
         <source>Computed from metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Kennzahlen berechnet</translation>
     </message>
     <message>
         <source>Instructor&apos;s rating</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil der Lehrkraft</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht entschieden</translation>
     </message>
     <message>
         <source>Further moments, in the review: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Momente, in der Auswertung: %1.</translation>
     </message>
 </context>
 <context>
@@ -759,15 +759,15 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>%1 of %2 attempts at all lessons passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Versuchen an allen Lektionen bestanden.</translation>
     </message>
     <message>
         <source>%1 of %2 attempts at this lesson passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Versuchen an dieser Lektion bestanden.</translation>
     </message>
     <message>
         <source>Attempts</source>
-        <translation type="unfinished">Versuche</translation>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -797,11 +797,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <name>sheet</name>
     <message>
         <source>Swage %1. For teaching, not for certification.</source>
-        <translation type="unfinished">Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+        <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
     </message>
     <message>
         <source>page %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -878,7 +878,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>d MMM yyyy</source>
-        <translation type="unfinished"></translation>
+        <translation>d. MMM yyyy</translation>
     </message>
 </context>
 <context>
@@ -917,7 +917,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Recorded hand, not counted</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgezeichnete Hand, zählt nicht</translation>
     </message>
 </context>
 <context>
@@ -1640,11 +1640,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>No guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Führung</translation>
     </message>
     <message>
         <source>The scripted expert does not pass this lesson as it is set.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die aufgezeichnete Expertenhand besteht diese Lektion so, wie sie eingestellt ist, nicht.</translation>
     </message>
 </context>
 <context>
@@ -2051,27 +2051,27 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>F2</source>
-        <translation type="unfinished">F2</translation>
+        <translation>F2</translation>
     </message>
     <message>
         <source>While an attempt runs: what is asked, and the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Während eines Versuchs: was verlangt ist, und die Grenzen</translation>
     </message>
     <message>
         <source>Enter,  Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe,  Leertaste</translation>
     </message>
     <message>
         <source>Press the button that has the keyboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schaltfläche drücken, die die Tastatur hat</translation>
     </message>
     <message>
         <source>Ctrl+Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Q</translation>
     </message>
     <message>
         <source>Quit; asks while a lesson runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden; fragt nach, solange eine Lektion läuft</translation>
     </message>
 </context>
 <context>
@@ -2148,7 +2148,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>It is part of these courses: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie gehört zu diesen Kursen: %1.</translation>
     </message>
 </context>
 <context>
@@ -2326,11 +2326,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>from </source>
-        <translation type="unfinished"></translation>
+        <translation>von </translation>
     </message>
     <message>
         <source>to </source>
-        <translation type="unfinished"></translation>
+        <translation>bis </translation>
     </message>
 </context>
 <context>
@@ -2497,39 +2497,39 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Saved as a lesson of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als eigene Lektion gespeichert.</translation>
     </message>
     <message>
         <source>Eyes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Augen…</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>A lesson is running. Closing the window stops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie.</translation>
     </message>
     <message>
         <source>A lesson is running. Closing the window stops it; the attempt is kept as stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie; der Versuch wird als abgebrochen aufbewahrt.</translation>
     </message>
     <message>
         <source>Close Swage?</source>
-        <translation type="unfinished"></translation>
+        <translation>Swage schließen?</translation>
     </message>
     <message>
         <source>Stop and close</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen und schließen</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitermachen</translation>
     </message>
     <message>
         <source>The window was closed while a lesson ran: that attempt is kept as stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster wurde geschlossen, während eine Lektion lief: Der Versuch ist als abgebrochen aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -2730,11 +2730,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Rules</source>
-        <translation type="unfinished"></translation>
+        <translation>Regeln</translation>
     </message>
     <message>
         <source>What is asked, and the limits, in place of the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Was verlangt ist, und die Grenzen, anstelle der Kurven</translation>
     </message>
 </context>
 <context>
@@ -2901,7 +2901,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>How it goes</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand</translation>
     </message>
 </context>
 <context>
@@ -3068,23 +3068,23 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Pages about the chosen person and lesson, to print; of several people the one chosen last</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten über die gewählte Person und Lektion zum Drucken; bei mehreren die zuletzt gewählte</translation>
     </message>
     <message>
         <source>It is about %1 alone, one of the %2 people chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er handelt nur von %1, einer der %2 gewählten Personen.</translation>
     </message>
     <message>
         <source>%1 people</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Personen</translation>
     </message>
     <message>
         <source>%1 of %2 people</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Personen</translation>
     </message>
     <message>
         <source>%1, those who need attention first</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, zuerst wer Hilfe braucht</translation>
     </message>
 </context>
 <context>
@@ -3186,7 +3186,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>No expert has done this lesson. Experts are the people of the group &quot;Experts&quot;; without them the recorded expert&apos;s attempts stand in.</source>
-        <translation>Kein Experte hat diese Lektion gemacht. Experten sind die Personen der Gruppe „Experten“ oder „Experts“; ohne sie stehen die Versuche der aufgezeichneten Expertenhand.</translation>
+        <translation>Kein Experte hat diese Lektion gemacht. Experten sind die Personen der Gruppe „Experten“ oder „Experts“; ohne sie stehen die Versuche der aufgezeichneten Expertenhand ein.</translation>
     </message>
     <message>
         <source>Attempts</source>
@@ -3242,50 +3242,50 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>%1 of %2 attempts passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Versuchen bestanden</translation>
     </message>
     <message>
         <source>, %1 more not counted</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 weitere zählen nicht</translation>
     </message>
     <message>
         <source>Counted is what a person finished. Recorded hands, void attempts and those that were stopped count for nobody.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es zählt, was eine Person zu Ende gebracht hat. Aufgezeichnete Hände, ungültige und abgebrochene Versuche zählen für niemanden.</translation>
     </message>
 </context>
 <context>
     <name>swage::console::RatingPanel</name>
     <message>
         <source>Rating scales of surgeons</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalen der Chirurgen</translation>
     </message>
     <message>
         <source>Computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet</translation>
     </message>
     <message>
         <source>Your rating</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Urteil</translation>
     </message>
     <message>
         <source>Source: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1</translation>
     </message>
     <message>
         <source>Your rating: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Urteil: %1</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht entschieden</translation>
     </message>
     <message>
         <source>Your own points; kept with the attempt, and taken back with Ctrl+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre eigenen Punkte; beim Versuch aufbewahrt, mit Strg+Z zurückgenommen</translation>
     </message>
     <message>
         <source>Ratings are kept with attempts of the store.</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteile werden bei Versuchen des Speichers aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -3364,15 +3364,15 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>To pass</source>
-        <translation type="unfinished">Zum Bestehen</translation>
+        <translation>Zum Bestehen</translation>
     </message>
     <message>
         <source>Limits in a test</source>
-        <translation type="unfinished">Grenzen im Test</translation>
+        <translation>Grenzen im Test</translation>
     </message>
     <message>
         <source>%1: %2 active, %3 free</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 aktiv, %3 frei</translation>
     </message>
 </context>
 <context>
@@ -3623,7 +3623,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>&amp;Worst</source>
-        <translation>&amp;Fehler</translation>
+        <translation>S&amp;chlechteste</translation>
     </message>
     <message>
         <source>&amp;Events</source>
@@ -3671,63 +3671,63 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>There is no other attempt at this lesson in the store, of anybody.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Speicher ist von niemandem ein anderer Versuch an dieser Lektion.</translation>
     </message>
     <message>
         <source>Next event</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Ereignis</translation>
     </message>
     <message>
         <source>Event before</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Ereignis</translation>
     </message>
     <message>
         <source>%1, on the way to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, unterwegs nach %2</translation>
     </message>
     <message>
         <source>Other attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer Versuch</translation>
     </message>
     <message>
         <source>&amp;Scales</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Skalen</translation>
     </message>
     <message>
         <source>Rating scales of surgeons: as computed from metrics, and your own rating</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalen der Chirurgen: aus Kennzahlen berechnet, und Ihr eigenes Urteil</translation>
     </message>
     <message>
         <source>Points lost, of 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlorene Punkte, von 100</translation>
     </message>
     <message>
         <source>What each fault has cost of the score</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jeder Fehler an Punkten gekostet hat</translation>
     </message>
     <message>
         <source>Pages to print: result, metrics, ratings, worst moments, traces, notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten zum Drucken: Ergebnis, Kennzahlen, Urteile, schlechteste Momente, Kurven, Notizen</translation>
     </message>
     <message>
         <source>Save pages about the attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten über den Versuch speichern</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Export</translation>
     </message>
     <message>
         <source>The attempt as a file for other programs, or for another station</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Versuch als Datei für andere Programme oder einen anderen Platz</translation>
     </message>
     <message>
         <source>Facts, metrics, ratings and events</source>
-        <translation type="unfinished"></translation>
+        <translation>Angaben, Kennzahlen, Urteile und Ereignisse</translation>
     </message>
     <message>
         <source>▲ The rating was not kept: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ Das Urteil wurde nicht aufbewahrt: %1</translation>
     </message>
 </context>
 <context>
@@ -4001,27 +4001,27 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>New trainee</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Trainee</translation>
     </message>
     <message>
         <source>%1 has not practised here before. Add as a trainee?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat hier noch nicht geübt. Als Trainee aufnehmen?</translation>
     </message>
     <message>
         <source>Add and start</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnehmen und beginnen</translation>
     </message>
     <message>
         <source>Dropped: put it back with F7, or take it where it lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefallen: mit F7 zurücklegen, oder dort greifen, wo es liegt.</translation>
     </message>
     <message>
         <source>Held at the wrong place: open the jaws (B), and take it at the mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der falschen Stelle gehalten: Backen öffnen (B) und an der Marke greifen.</translation>
     </message>
     <message>
         <source>Held at the wrong place: open the jaws, and take it at the mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der falschen Stelle gehalten: Backen öffnen und an der Marke greifen.</translation>
     </message>
 </context>
 <context>
@@ -4052,11 +4052,11 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>F7: put it back</source>
-        <translation type="unfinished"></translation>
+        <translation>F7: zurücklegen</translation>
     </message>
     <message>
         <source>Hold B: open the jaws</source>
-        <translation type="unfinished"></translation>
+        <translation>B halten: Backen öffnen</translation>
     </message>
 </context>
 <context>
@@ -4109,7 +4109,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>Rate an item</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kriterium beurteilen</translation>
     </message>
 </context>
 <context>
@@ -4236,23 +4236,23 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>What the window is written in, from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache des Fensters, ab dem nächsten Start</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>From the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab dem nächsten Start.</translation>
     </message>
 </context>
 <context>
@@ -4375,7 +4375,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>Cues are shown. Limits of force and time are told and end nothing; a recorded hand is judged as in a test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
     </message>
 </context>
 <context>
@@ -4589,7 +4589,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>Trainee</source>
-        <translation type="unfinished">Trainee</translation>
+        <translation>Trainee</translation>
     </message>
 </context>
 <context>
@@ -5120,7 +5120,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Change a value or a part: a copy under another title would be the same lesson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern Sie einen Wert oder ein Teil: Eine Kopie mit anderem Titel wäre dieselbe Lektion.</translation>
     </message>
 </context>
 <context>
@@ -5363,7 +5363,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Off-angle: rotate along the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel falsch: entlang der Krümmung drehen</translation>
     </message>
 </context>
 <context>
