@@ -160,7 +160,7 @@ TEST(Attempts, ARecordedHandIsNobodysProgress) {
   model.set_attempts({all.begin(), all.end()});
   QStringList modes;
   for (int row = 0; row < model.rowCount(); ++row) modes += model.index(row, console::AttemptsModel::kMode).data().toString();
-  EXPECT_EQ(modes.count("Recorded hand"), 2) << modes.join(", ").toStdString();
+  EXPECT_EQ(modes.count("Recorded hand, not counted"), 2) << modes.join(", ").toStdString();
   EXPECT_EQ(modes.count("Practice"), 1);
 }
 

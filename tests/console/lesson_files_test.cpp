@@ -34,7 +34,7 @@ class LessonFiles : public ::testing::Test {
     write("hands/a.hand", "hand");
     write("series/base.json", R"({ "format": "swage-lesson/1", "id": "base", "title": "Base",
       "devices": [ { "name": "hand", "plugin": "x.hand", "params": { "file": "../hands/a.hand" } } ],
-      "objects": [ { "name": "needle", "plugin": "x.needle" } ] })");
+      "objects": [ { "name": "needle", "plugin": "x.needle" } ], "lesson": { "plugin": "x.lesson" } })");
     write("own.json", R"({ "format": "swage-lesson/1", "id": "own.mine", "title": "Mine", "based_on": "series/base.json",
       "set": { "needle.size": 3 } })");
   }

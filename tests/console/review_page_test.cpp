@@ -222,7 +222,7 @@ TEST_F(ReviewPages, TwoAttemptsShareOneClockAlignedByWhatBothHaveDone) {
   ASSERT_TRUE(other->isVisible());
   auto* align = child<QComboBox>("align");
   EXPECT_EQ(align->itemText(0), "Start");
-  EXPECT_EQ(align->currentText(), "Grasp taken");
+  EXPECT_EQ(align->currentText(), "Grasped");
   EXPECT_DOUBLE_EQ(other->later_s(), 0) << "the same moment in both";
   // an event at another time: what happened then lies at the same place of the timeline (U8: within 1 ms of data)
   align->setItemData(1, 0.25);

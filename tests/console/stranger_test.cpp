@@ -55,16 +55,20 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
 
 // A lesson of somebody else's instrument is done with that instrument, unless a person chooses another.
 TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
-  const auto write = [](const QString& path, const char* text) {
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(text);
-  };
   QTemporaryDir dir;
-  write(dir.filePath("1.json"), R"({"id": "a", "title": "Ours", "devices": [{"as": "mouse", "plugin": "x.mouse", "or": [{"as": "expert"}]}]})");
-  write(dir.filePath("2.json"), R"({"id": "b", "title": "Theirs", "devices": [{"as": "pen", "plugin": "org.example.pen", "or": [{"as": "expert"}]}]})");
-  write(dir.filePath("3.json"), R"({"id": "c", "title": "Nameless", "devices": [{"plugin": "org.example.pad", "or": [{"as": "expert"}]}]})");
-  write(dir.filePath("4.json"), R"({"id": "d", "title": "Show", "devices": [{"as": "expert", "or": [{"as": "mouse"}]}]})");
+  const auto write = [&dir](const char* id, const char* first, const char* second) {
+    QFile file(dir.filePath(QString::fromLatin1(id) + QStringLiteral(".json")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral(R"({"format": "swage-lesson/1", "id": "%1", "title": "%1", "objects": [], "lesson": {"plugin": "x.lesson"},
+                                  "devices": [{"name": "hand", %2, "or": [{%3}]}]})")
+                   .arg(QLatin1String(id), QLatin1String(first), QLatin1String(second))
+                   .toUtf8());
+  };
+  const char* const expert = R"("as": "expert", "plugin": "x.skilled")";
+  write("a", R"("as": "mouse", "plugin": "x.mouse")", expert);
+  write("b", R"("as": "pen", "plugin": "org.example.pen")", expert);
+  write("c", R"("plugin": "org.example.pad")", expert);
+  write("d", expert, R"("as": "mouse", "plugin": "x.mouse")");
   LessonsModel lessons;
   lessons.set_folders({dir.path()});
   ASSERT_EQ(lessons.rowCount(), 4);
