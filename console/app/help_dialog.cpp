@@ -75,7 +75,7 @@ Card HelpDialog::lesson_keys(QWidget* parent) {
                      {tr("F4"), tr("An expert's instruments as a guide")},
                      {tr("F5"), tr("Start, again")},
                      {tr("F6"), tr("Pause, resume")},
-                     {tr("F7"), tr("Bring the needle back")},
+                     {tr("F7"), tr("Put what the lesson works on back")},
                      {tr("F8"), tr("Mark the moment two seconds ago")},
                      {tr("Shift+F5"), tr("Stop")},
                      {tr("F9"), tr("Trainee's view; there F11 fills the screen")},

@@ -15,6 +15,7 @@
 #include "console/app/calibration_dialog.hpp"
 #include "console/app/help_dialog.hpp"
 #include "console/models/lesson_files.hpp"
+#include "console/models/own_cues.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -288,19 +289,24 @@ void MainWindow::show_help() {
   RunControl* control = run_->control();
   const bool ran = control->state() == RunControl::State::kRunning;
   if (ran) control->toggle_pause();
-  const CueTheme cues = CueTheme::stock(cues_id_);
-  HelpDialog(UiTheme::stock(ui_id_).dark() ? cues.on_dark() : cues, this).exec();
+  HelpDialog(cue_theme(cues_id_, UiTheme::stock(ui_id_).dark()), this).exec();
   if (ran && control->state() == RunControl::State::kPaused) control->toggle_pause();
+}
+
+// a theme names the cues that come with the program; those of other plugins are shown by their roles
+CueTheme MainWindow::cue_theme(const QString& id, bool dark) const {
+  const CueTheme all = CueTheme::stock(id).with(own_cues(run_->catalogue().plugins()));
+  return dark ? all.on_dark() : all;
 }
 
 void MainWindow::set_theme(const QString& ui, const QString& cues) {
   const UiTheme theme = UiTheme::stock(ui);
-  const CueTheme cue_theme = theme.dark() ? CueTheme::stock(cues).on_dark() : CueTheme::stock(cues);
+  const CueTheme all_cues = cue_theme(cues, theme.dark());
   ui_id_ = theme.id();
-  cues_id_ = cue_theme.id();
+  cues_id_ = all_cues.id();
   qApp->setPalette(theme.palette());
   qApp->setStyleSheet(theme.style_sheet());
-  pages_->set_themes(theme, cue_theme);
+  pages_->set_themes(theme, all_cues);
   setup_->show_themes(ui_id_, cues_id_);
 }
 
@@ -308,6 +314,7 @@ void MainWindow::restore(const Launch& launch) {
   const auto or_remembered = [&](const QString& given, const char* key, const char* otherwise) {
     return given.isEmpty() ? settings_.text(key, QString::fromLatin1(otherwise)) : given;
   };
+  run_->set_base_options(launch.options);  // before the themes: they name the plugins' cues
   set_theme(or_remembered(launch.theme, "theme", "light"), or_remembered(launch.cues, "cues", "thesis"));
   resize(launch.size.isValid() ? launch.size : QSize(1440, 900));
   if (!launch.size.isValid()) {
@@ -315,7 +322,6 @@ void MainWindow::restore(const Launch& launch) {
     fit_screen();
     fits_ = true;
   }
-  run_->set_base_options(launch.options);
   connect_instrument();
   run_->set_draws_seed(launch.draws_seed);
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),

@@ -100,6 +100,7 @@ class MainWindow : public QMainWindow {
   bool agree_to_stop();
   void tell_stopped();
   void offer_languages();
+  CueTheme cue_theme(const QString& id, bool dark) const;
   void restore(const Launch& launch);
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);

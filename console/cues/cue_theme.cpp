@@ -81,6 +81,37 @@ bool read_force(const QJsonObject& json, CueForce& out) {
          within(out.peak_N, kMostPeak_N) && within(out.length_s, kMostLength_s);
 }
 
+/// What a row of a theme says of colour, shape, text, sound and force.
+struct Look {
+  CueStyle style;
+  QColor on_dark;  // not valid: the same colour
+  QString why;     // what is wrong with its sound, force or second colour
+  bool complete() const { return style.colour.isValid() && !style.shape.isEmpty(); }
+};
+
+Look read_look(const QJsonObject& row) {
+  const QString text = row[QStringLiteral("text")].toString();
+  Look out{{QColor(row[QStringLiteral("colour")].toString()),
+            row[QStringLiteral("shape")].toString(),
+            text.isEmpty() ? QString() : theme_word(text),
+            row[QStringLiteral("sound")].toString(),
+            {}},
+           {},
+           {}};
+  if (!out.style.sound.isEmpty() && tone(out.style.sound).empty())
+    out.why = QStringLiteral("no sound is called \"%1\"; there are: %2").arg(out.style.sound, tone_names().join(QStringLiteral("; ")));
+  else if (!read_force(row[QStringLiteral("force")].toObject(), out.style.force))
+    out.why = QStringLiteral("force needs pulses (1 to %1), frequency_hz (to %2), peak_n (to %3) and length_s (to %4)")
+                  .arg(kMostPulses)
+                  .arg(kMostFrequency_Hz)
+                  .arg(kMostPeak_N)
+                  .arg(kMostLength_s);
+  if (!row.contains(QStringLiteral("colour_on_dark"))) return out;
+  out.on_dark = QColor(row[QStringLiteral("colour_on_dark")].toString());
+  if (!out.on_dark.isValid()) out.why = QStringLiteral("colour_on_dark is no colour");
+  return out;
+}
+
 }  // namespace
 
 double paint_cue_shape(QPainter& painter, const QPointF& top_left, double size, const CueStyle& style) {
@@ -126,32 +157,22 @@ CueTheme CueTheme::load(const QString& path, QString* error) {
   for (const QJsonValue value : root[QStringLiteral("cues")].toArray()) {
     const QJsonObject cue = value.toObject();
     const QString meaning = cue[QStringLiteral("meaning")].toString();
-    CueStyle style{QColor(cue[QStringLiteral("colour")].toString()),
-                   cue[QStringLiteral("shape")].toString(),
-                   theme_word(cue[QStringLiteral("text")].toString()),
-                   cue[QStringLiteral("sound")].toString(),
-                   {}};
-    if (meaning.isEmpty() || !style.colour.isValid() || style.shape.isEmpty() || style.text.isEmpty()) {
+    const Look look = read_look(cue);
+    if (meaning.isEmpty() || !look.complete() || look.style.text.isEmpty())
       return fail(QStringLiteral("cue \"%1\" needs meaning, colour, shape and text").arg(meaning));
-    }
-    if (!style.sound.isEmpty() && tone(style.sound).empty())
-      return fail(QStringLiteral("cue \"%1\": no sound is called \"%2\"; there are: %3")
-                      .arg(meaning, style.sound, tone_names().join(QStringLiteral("; "))));
-    if (!read_force(cue[QStringLiteral("force")].toObject(), style.force))
-      return fail(
-          QStringLiteral("cue \"%1\": force needs pulses (1 to %2), frequency_hz (to %3), peak_n (to %4) and "
-                         "length_s (to %5)")
-              .arg(meaning)
-              .arg(kMostPulses)
-              .arg(kMostFrequency_Hz)
-              .arg(kMostPeak_N)
-              .arg(kMostLength_s));
+    if (!look.why.isEmpty()) return fail(QStringLiteral("cue \"%1\": %2").arg(meaning, look.why));
     theme.order_.append(meaning);
-    theme.styles_.insert(meaning, style);
-    if (!cue.contains(QStringLiteral("colour_on_dark"))) continue;
-    const QColor dark(cue[QStringLiteral("colour_on_dark")].toString());
-    if (!dark.isValid()) return fail(QStringLiteral("cue \"%1\": colour_on_dark is no colour").arg(meaning));
-    theme.on_dark_.insert(meaning, dark);
+    theme.styles_.insert(meaning, look.style);
+    if (look.on_dark.isValid()) theme.on_dark_.insert(meaning, look.on_dark);
+  }
+  for (const QJsonValue value : root[QStringLiteral("roles")].toArray()) {
+    const QJsonObject role = value.toObject();
+    const QString name = role[QStringLiteral("role")].toString();
+    const Look look = read_look(role);
+    if (name.isEmpty() || !look.complete()) return fail(QStringLiteral("role \"%1\" needs role, colour and shape").arg(name));
+    if (!look.why.isEmpty()) return fail(QStringLiteral("role \"%1\": %2").arg(name, look.why));
+    theme.roles_.insert(name, look.style);
+    if (look.on_dark.isValid()) theme.roles_on_dark_.insert(name, look.on_dark);
   }
   return theme;
 }
@@ -165,14 +186,37 @@ CueTheme CueTheme::stock(const QString& id) {
 CueTheme CueTheme::on_dark() const {
   CueTheme out = *this;
   for (auto it = on_dark_.begin(); it != on_dark_.end(); ++it) out.styles_[it.key()].colour = it.value();
+  for (auto it = roles_on_dark_.begin(); it != roles_on_dark_.end(); ++it) out.roles_[it.key()].colour = it.value();
   return out;
+}
+
+CueTheme CueTheme::with(const QVector<OwnCue>& cues) const {
+  CueTheme out = *this;
+  for (const OwnCue& cue : cues) {
+    if (cue.meaning.isEmpty() || out.knows(cue.meaning)) continue;
+    CueStyle style = role(cue.role);
+    style.text = cue.words;
+    if (!cue.heard) style.sound.clear();
+    if (!cue.felt) style.force = {};
+    out.order_.append(cue.meaning);
+    out.styles_.insert(cue.meaning, style);
+    if (const auto dark = roles_on_dark_.find(cue.role); dark != roles_on_dark_.end()) out.on_dark_.insert(cue.meaning, *dark);
+  }
+  return out;
+}
+
+CueStyle CueTheme::role(const QString& name) const {
+  if (const auto it = roles_.find(name); it != roles_.end()) return *it;
+  return {QColor(0x9a, 0xa4, 0xae), QStringLiteral("d"), {}, {}, {}};
 }
 
 CueStyle CueTheme::style(const QString& meaning) const {
   if (const auto it = styles_.find(meaning); it != styles_.end()) return *it;
   QString words = meaning;
   words.replace(QLatin1Char('.'), QLatin1Char(' ')).replace(QLatin1Char('_'), QLatin1Char(' '));
-  return {QColor(0x9a, 0xa4, 0xae), QStringLiteral("d"), words, {}, {}};
+  CueStyle neutral = role({});
+  neutral.text = words;
+  return neutral;
 }
 
 }  // namespace swage::console

@@ -8,6 +8,7 @@
 #include <QHash>
 #include <QString>
 #include <QStringList>
+#include <QVector>
 
 class QPainter;
 class QPointF;
@@ -29,6 +30,13 @@ struct CueStyle {
   CueForce force;
 };
 
+/// A cue of a lesson plugin. A theme that does not know the meaning shows it by its role.
+struct OwnCue {
+  QString meaning, words;
+  QString role;                    // "good", "warning", "bad", "target"; "" is neutral
+  bool heard = true, felt = true;  // whether sound and force suit it
+};
+
 class CueTheme {
  public:
   /// Reads a theme file ("swage-cue-theme/1"). On failure an empty theme, and why in `error`.
@@ -39,6 +47,12 @@ class CueTheme {
 
   const QString& id() const { return id_; }
   const QString& title() const { return title_; }
+  /// The same theme with a style for each cue that it does not know: colour, shape, sound and force of its role, its own words.
+  /// Of two cues of one meaning the first stays.
+  CueTheme with(const QVector<OwnCue>& cues) const;
+  /// The look of a role, without words; that of "" and of an unknown role is neutral.
+  CueStyle role(const QString& name) const;
+  QStringList roles() const { return roles_.keys(); }
   /// Every meaning has a style: unknown ones get a neutral diamond and their own name as the text.
   CueStyle style(const QString& meaning) const;
   /// The same theme for a dark window: colours that a dark background would swallow are replaced ("colour_on_dark").
@@ -51,6 +65,8 @@ class CueTheme {
   QStringList order_;
   QHash<QString, CueStyle> styles_;
   QHash<QString, QColor> on_dark_;  // of meanings that have another colour there
+  QHash<QString, CueStyle> roles_;
+  QHash<QString, QColor> roles_on_dark_;
 };
 
 /// Draws the row of signs of a cue, one square of `size` px each, light outline included. Returns the width

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "host/c_values.hpp"
+#include "host/sentences.hpp"
 
 namespace swage::host {
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array kBetter = {"", "lower", "higher", "inside"};
 constexpr std::array kChannels = {"colour", "shape", "sound", "force"};
+constexpr std::array kCueRoles = {"", "good", "warning", "bad", "target"};
 constexpr uint32_t kMaxRows = 1000;  // of one table: more rows are a broken table
 
 /// Calls take(row) for each row of a table; `rows`: a function of the ABI, may be NULL.
@@ -108,6 +110,8 @@ std::string channels_text(uint32_t channels) {
   return out;
 }
 
+const char* cue_role_text(uint32_t role) { return role < kCueRoles.size() ? kCueRoles[role] : ""; }
+
 void copy_card(const swage_entry& entry, PluginInfo& plugin) {
   const auto* card = static_cast<const swage_lesson_card_factory*>(entry.get_factory(SWAGE_FACTORY_LESSON_CARD));
   const auto* labels =
@@ -120,7 +124,7 @@ void copy_card(const swage_entry& entry, PluginInfo& plugin) {
       info.better = m.better, info.evidence = m.evidence;
     });
     each_row(card->cues, plugin.id, [&](const swage_cue_info& c) {
-      plugin.cues.push_back({copy(c.id), copy(c.doc), c.channels});
+      plugin.cues.push_back({copy(c.id), copy(c.doc), c.channels, c.role});
     });
   }
   if (labels == nullptr) return;
@@ -141,9 +145,11 @@ bool has_card(const PluginInfo& plugin) {
 
 void card_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
   for (const MetricInfo& m : plugin.metrics) metric_faults(plugin, m, faults);
-  for (const CueInfo& c : plugin.cues)
+  for (const CueInfo& c : plugin.cues) {
     if (c.id.empty() || c.doc.empty() || c.channels == 0 || c.channels >= 1u << kChannels.size())
       faults.push_back("Cue \"" + c.id + "\" needs an id, a sentence and channels that are known.");
+    if (c.role >= kCueRoles.size()) faults.push_back(say::kNoCueRole(c.id, c.role));
+  }
   for (const CriterionInfo& c : plugin.criteria) criterion_faults(plugin, c, faults);
 }
 
@@ -162,8 +168,10 @@ Json card_json(const PluginInfo& plugin) {
                               {"rank", m.rank},
                               {"least", m.least},
                               {"most", m.most}});
-  for (const CueInfo& c : plugin.cues)
-    out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", c.channels}});
+  for (const CueInfo& c : plugin.cues) {
+    Json& row = out["cues"].emplace_back(Json{{"id", c.id}, {"doc", c.doc}, {"channels", c.channels}});
+    if (c.role != SWAGE_CUE_NEUTRAL) row["role"] = c.role;  // else the text stays that of a host without roles
+  }
   for (const CriterionInfo& c : plugin.criteria)
     out["criteria"].push_back({{"text", c.text}, {"when", c.when}, {"kind", c.kind}});
   return out;
@@ -173,7 +181,8 @@ void read_card(const Json& item, PluginInfo& plugin) {
   if (!item.contains("metrics")) return;  // not a lesson, or one without a card
   for (const Json& row : item.at("metrics")) read_metric(row, plugin);
   for (const Json& row : item.at("cues"))
-    plugin.cues.push_back({row.at("id"), row.at("doc"), row.at("channels").get<uint32_t>()});
+    // a text without a role was written before cues had one
+    plugin.cues.push_back({row.at("id"), row.at("doc"), row.at("channels").get<uint32_t>(), row.value("role", SWAGE_CUE_NEUTRAL)});
   if (!item.contains("criteria")) return;  // written before criteria existed
   for (const Json& row : item.at("criteria"))
     plugin.criteria.push_back({row.at("text"), row.at("when"), row.at("kind").get<int32_t>()});

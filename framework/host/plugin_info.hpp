@@ -26,7 +26,8 @@ struct MetricInfo {
 };
 struct CueInfo {
   std::string id, doc;
-  uint32_t channels = 0;  // SWAGE_CHANNEL_*
+  uint32_t channels = 0;              // SWAGE_CHANNEL_*
+  uint32_t role = SWAGE_CUE_NEUTRAL;  // SWAGE_CUE_*
 };
 struct CriterionInfo {
   std::string text, when;
@@ -52,6 +53,7 @@ const char* kind_text(int32_t kind);  // "object", "coupling", "device", "lesson
 const char* better_text(int32_t better);       // "", "lower", "higher", "inside"
 std::string evidence_text(int32_t evidence);   // "", "A" to "D"
 std::string channels_text(uint32_t channels);  // "colour, shape, sound, force"
+const char* cue_role_text(uint32_t role);      // "", "good", "warning", "bad", "target"; "" for an unknown one
 
 /// Reads every descriptor and table of a loaded library. False: `error` names the malformed one.
 bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error);

@@ -158,6 +158,7 @@ inline constexpr auto kOtherFile = "It is not a {} file: {}"_sentence;
 inline constexpr auto kNoId = "Id \"{}\" is not a reverse domain in lower case such as \"org.example.clip\"."_sentence;
 inline constexpr auto kNoVersion = "Version \"{}\" is not three numbers such as \"1.2.0\"."_sentence;
 inline constexpr auto kNoKind = "Kind {} is not object, coupling, device or lesson."_sentence;
+inline constexpr auto kNoCueRole = "Cue \"{}\" has the role {}; a role is 0 (neutral), 1 (good), 2 (warning), 3 (bad) or 4 (target)."_sentence;
 inline constexpr auto kTraitsOfObjects = "Only objects offer traits."_sentence;
 inline constexpr auto kHasNoText = "It has no {}."_sentence;
 inline constexpr auto kControl = "{} says something with control characters."_sentence;

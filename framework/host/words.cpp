@@ -129,6 +129,9 @@ std::vector<std::string> words_of(const PluginInfo& plugin) {
     list.add(m.title.empty() ? m.id : m.title);
     list.add(m.doc);
   }
+  // a cue with a role is shown by its id's words; others are named by the console's themes
+  for (const CueInfo& c : plugin.cues)
+    if (c.role != SWAGE_CUE_NEUTRAL) list.add(c.id);
   return list.take();
 }
 

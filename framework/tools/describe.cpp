@@ -107,6 +107,12 @@ const char* criterion_text(int32_t kind) {
                                           : "demonstration";
 }
 
+// channels of a cue, and its role where it has one: "colour, shape; good"
+std::string cue_text(const host::CueInfo& c) {
+  const std::string role = host::cue_role_text(c.role);
+  return host::channels_text(c.channels) + (role.empty() ? "" : "; " + role);
+}
+
 // what a lesson asks, measures and signals
 void print_card(const PluginInfo& info) {
   if (!info.criteria.empty()) std::printf("  [Criteria]\n");
@@ -123,7 +129,7 @@ void print_card(const PluginInfo& info) {
   }
   if (!info.cues.empty()) std::printf("  [Cues]\n");
   for (const host::CueInfo& c : info.cues)
-    std::printf("  %-20s %s (%s)\n", c.id.c_str(), c.doc.c_str(), host::channels_text(c.channels).c_str());
+    std::printf("  %-20s %s (%s)\n", c.id.c_str(), c.doc.c_str(), cue_text(c).c_str());
 }
 
 // what a lesson's page shows beside its parameters; compared with it by a test
@@ -137,7 +143,7 @@ void print_card_markdown(const PluginInfo& info) {
                 m.code.empty() ? "" : (" " + m.code).c_str(), m.formula.c_str());
   if (!info.cues.empty()) std::printf("\n| cue | when | channels |\n| --- | --- | --- |\n");
   for (const host::CueInfo& c : info.cues)
-    std::printf("| `%s` | %s | %s |\n", c.id.c_str(), c.doc.c_str(), host::channels_text(c.channels).c_str());
+    std::printf("| `%s` | %s | %s |\n", c.id.c_str(), c.doc.c_str(), cue_text(c).c_str());
 }
 
 void print_text(const PluginInfo& info) {
@@ -190,7 +196,7 @@ nlohmann::ordered_json to_json(const PluginInfo& info) {
   for (const host::CriterionInfo& c : info.criteria)
     out["criteria"].push_back({{"kind", criterion_text(c.kind)}, {"text", c.text}, {"when", c.when}});
   for (const host::CueInfo& c : info.cues)
-    out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", host::channels_text(c.channels)}});
+    out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", host::channels_text(c.channels)}, {"role", host::cue_role_text(c.role)}});
   return out;
 }
 

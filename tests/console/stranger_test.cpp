@@ -8,12 +8,16 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
+#include "console/app/help_dialog.hpp"
+#include "console/cues/theme_words.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
 #include "console/view3d/scene_input.hpp"
 #include "console/view3d/scene_state.hpp"
+#include "console/widgets/cue_legend.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::console {
@@ -88,6 +92,21 @@ TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   Q_EMIT choice->activated(mouse);
   panel.select_lesson(2);
   EXPECT_EQ(panel.device(), "mouse") << "what a person chose stays";
+}
+
+// A cue that no theme knows stands in the legend and in the help as the stock ones do, with its name, signs and sound.
+TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
+  const CueTheme theme = CueTheme::stock("safe").with({{"lamp.lit", "The lamp is lit", "good"}});
+  CueLegend legend;
+  legend.set_themes(UiTheme::stock("light"), theme);
+  legend.set_meanings({"grasp.good", "lamp.lit"});
+  const QList<QWidget*> rows = legend.findChildren<QWidget*>();
+  const auto row = std::find_if(rows.begin(), rows.end(), [](const QWidget* w) { return w->accessibleName() == "The lamp is lit"; });
+  ASSERT_NE(row, rows.end());
+  EXPECT_TRUE((*row)->toolTip().contains(theme_word(theme.style("target.near").sound))) << (*row)->toolTip().toStdString();
+  const HelpDialog help(theme, nullptr);
+  const QList<QLabel*> labels = help.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == "The lamp is lit"; }));
 }
 
 // Thirty numbers would hide the five that matter; where the points went stands apart.

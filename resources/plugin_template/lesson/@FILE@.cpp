@@ -10,8 +10,8 @@ void @NAME@::build(const @NAME@Params&, Builder& builder) {
   builder.state<State>();
   time_ = builder.metric("time.task", "s", "Time until the object had stayed at the target.");
   nearest_ = builder.metric("reach.nearest", "m", "Smallest distance from the target.");
-  there_ = builder.cue("reach.there", "The object is at the target.");
-  away_ = builder.cue("reach.away", "The object is away from the target.");
+  there_ = builder.cue(cues[0]);
+  away_ = builder.cue(cues[1]);
   late_ = builder.event("failed.out_of_time", "Time ran out.");
   reach_ = builder.phase("reach", "Bring the object to the target.");
   hold_ = builder.phase("hold", "Keep it there.");

@@ -63,6 +63,28 @@ TEST(PluginInfo, TheSidecarSaysTheSame) {
   EXPECT_EQ(write_sidecar("/elsewhere/clip.so", "0123", back), text);
 }
 
+// a text without roles was written before cues had one, and stays as it was
+TEST(PluginInfo, TheRoleOfACueIsKeptAndAnUnknownOneIsTold) {
+  PluginInfo lesson = clip();
+  lesson.kind = SWAGE_KIND_LESSON;
+  lesson.traits.clear();
+  lesson.cues = {{"clip.open", "It is open.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_NEUTRAL},
+                 {"clip.lost", "It has fallen.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_BAD}};
+  EXPECT_THAT(plugin_faults(lesson), IsEmpty());
+  const std::string text = write_sidecar("/somewhere/clip.so", "0123", {lesson});
+  EXPECT_EQ(text.find("role"), text.rfind("role")) << text;
+  std::string hash, error;
+  std::vector<PluginInfo> back;
+  ASSERT_TRUE(read_sidecar(text, hash, back, error)) << error;
+  ASSERT_EQ(back.size(), 1u);
+  ASSERT_EQ(back[0].cues.size(), 2u);
+  EXPECT_EQ(back[0].cues[0].role, SWAGE_CUE_NEUTRAL);
+  EXPECT_EQ(back[0].cues[1].role, SWAGE_CUE_BAD);
+  EXPECT_STREQ(cue_role_text(SWAGE_CUE_WARNING), "warning");
+  lesson.cues[1].role = 5;
+  EXPECT_THAT(plugin_faults(lesson), ElementsAre(say::kNoCueRole("clip.lost", 5)));
+}
+
 TEST(PluginInfo, RefusesWhatIsNoSidecar) {
   std::string hash, error;
   std::vector<PluginInfo> back;

@@ -101,8 +101,10 @@ TEST(Words, OfAPluginAreWhatPeopleSee) {
   titled.id = "force.peak", titled.doc = "Greatest force.", titled.formula = "max F", titled.title = "Grip force, peak";
   plain.id = "x.y", plain.doc = "Greatest force.";
   plugin.metrics = {titled, plain};
+  plugin.cues = {{"grasp.good", "Named by a theme.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_NEUTRAL},
+                 {"clip.lost", "Shown by its id's words.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_BAD}};
   EXPECT_THAT(words_of(plugin), ElementsAre("Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
-                                            "Greatest force.", "x.y"));
+                                            "Greatest force.", "x.y", "clip.lost"));
 }
 
 TEST(Words, OfASceneAndOfALessonAreWhatPeopleSee) {

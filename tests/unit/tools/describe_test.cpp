@@ -42,6 +42,13 @@ TEST_F(Describe, TellsWhatALessonMeasuresAndSignals) {
   EXPECT_FALSE(swage({"describe", kNeedle, "--json"}).json()[0].contains("metrics"));
 }
 
+TEST_F(Describe, TellsTheRoleOfACue) {
+  const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_roles/org.example.bad.roles.target";
+  EXPECT_THAT(swage({"describe", bundle}).out, HasSubstr("lamp.lit             The lamp is lit. (colour, shape; target)"));
+  EXPECT_EQ(swage({"describe", bundle, "--json"}).json()[0]["cues"][0]["role"], "target");
+  EXPECT_EQ(swage({"describe", "swage.lesson.grasp", "--json"}).json()[0]["cues"][0]["role"], "");
+}
+
 // what a lesson may watch of an object and of a coupling
 TEST_F(Describe, TellsTheSignalsAndEventsOfObjectsAndCouplings) {
   const Said jaws = swage({"describe", "swage.object.jaws"}), grasp = swage({"describe", "swage.coupling.grasp"});

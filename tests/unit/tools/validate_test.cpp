@@ -105,6 +105,18 @@ TEST_F(Validate, WhatADeviceTellsOfItselfIsAskedFor) {
   EXPECT_THAT(said.out, HasSubstr(say::kInfinite()));
 }
 
+// the console gives a cue its look by its role
+TEST_F(Validate, ACueOfAnUnknownRoleIsTold) {
+  const auto bundle = [](const char* role) {
+    return std::string(SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_roles/org.example.bad.roles.") + role;
+  };
+  const Said good = swage({"validate", bundle("target"), "--only", "descriptor", "--strictness", "10"});
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  const Said bad_role = swage({"validate", bundle("unknown"), "--only", "descriptor", "--strictness", "10"});
+  EXPECT_EQ(bad_role.code, 1) << bad_role.out << bad_role.err;
+  EXPECT_THAT(bad_role.out, HasSubstr(host::say::kNoCueRole("lamp.lit", 5)));
+}
+
 // a solver that lies has finite numbers: nobody notices while it runs, so that it is asked
 TEST_F(Validate, SolversThatLieAreTold) {
   const auto validate = [&](const std::string& name, const std::string& test) {

@@ -37,11 +37,18 @@ typedef struct swage_metric_info {
 #define SWAGE_CHANNEL_SOUND 4u
 #define SWAGE_CHANNEL_FORCE 8u
 
+/* What a cue tells the trainee. Where the console's theme does not know the id, this role gives colour, shape and sound. */
+#define SWAGE_CUE_NEUTRAL 0u /* a state that is neither good nor bad: grey, silent */
+#define SWAGE_CUE_GOOD 1u    /* as asked */
+#define SWAGE_CUE_WARNING 2u /* nearly, or take care */
+#define SWAGE_CUE_BAD 3u     /* a fault */
+#define SWAGE_CUE_TARGET 4u  /* where to go */
+
 typedef struct swage_cue_info {
   const char* id;    /* a meaning: "grasp.good" */
   const char* doc;   /* when it is on */
   uint32_t channels; /* SWAGE_CHANNEL_* */
-  uint32_t reserved;
+  uint32_t role;     /* SWAGE_CUE_* */
 } swage_cue_info;
 
 #define SWAGE_FACTORY_LESSON_CARD "swage.factory.lesson_card/1"
