@@ -1236,6 +1236,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>▲ nicht installiert: </translation>
     </message>
     <message>
+        <source>▲ faulty: </source>
+        <translation>▲ fehlerhaft: </translation>
+    </message>
+    <message>
         <source>%1  %3%2</source>
         <translation>%1  %3%2</translation>
     </message>
