@@ -112,9 +112,9 @@ void MainWindow::answer_message(const record::StationMessage& message, bool acce
 }
 
 void MainWindow::show_message_to_trainee() {
-  if (!trainee_) return;
+  if (!trainee()) return;
   const QString words = messages_->words();
-  trainee_->view()->set_message(words.isEmpty() ? words : tr("%1   (F3: read)").arg(words));
+  trainee()->view()->set_message(words.isEmpty() ? words : tr("%1   (F3: read)").arg(words));
 }
 
 }  // namespace swage::console
