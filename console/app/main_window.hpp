@@ -102,7 +102,6 @@ class MainWindow : public QMainWindow {
   const SceneView* shown_view() const;
   void add_stations();
   void start_stations(StationsOpener opener, const QString& name);
-  record::StationNow station_now() const;
   void show_messages();
   void answer_message(const record::StationMessage& message, bool accepted);
   void show_message_to_trainee();
@@ -126,7 +125,6 @@ class MainWindow : public QMainWindow {
   SetupPage* setup_ = nullptr;
   StationsPage* stations_page_ = nullptr;
   StationLink* stations_;  // outlives the members, as pages are hidden after them
-  Reader reading_;         // of the attempt, for those who watch from another station
 };
 
 }  // namespace swage::console
