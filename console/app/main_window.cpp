@@ -103,6 +103,8 @@ void MainWindow::add_pages(Services& services) {
   pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_, true,
                [this] { setup_->show_calibrations(stored_calibrations()); }});
   add_stations();
+  trainee_ = std::make_unique<TraineePlace>(run_, settings_, this);
+  connect(trainee_.get(), &TraineePlace::shown, this, &MainWindow::show_message_to_trainee);
 }
 
 void MainWindow::connect_pages() {
@@ -158,9 +160,9 @@ void MainWindow::connect_pages() {
                : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
   });
   connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
-  connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
-  connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
-  connect(setup_, &SetupPage::station_settings, this, &MainWindow::show_station);
+  connect(setup_, &SetupPage::trainee_view, trainee_.get(), &TraineePlace::toggle);
+  connect(setup_, &SetupPage::trainee_settings, trainee_.get(), &TraineePlace::show_settings);
+  connect(setup_, &SetupPage::station_settings, trainee_.get(), &TraineePlace::show_station);
   connect(setup_, &SetupPage::calibrate_sensor, this, &MainWindow::show_calibration);
 }
 
@@ -202,12 +204,12 @@ void MainWindow::fill_top_bar() {
   auto* trainee =
       make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
-  connect(trainee, &QPushButton::clicked, this, &MainWindow::toggle_trainee);
+  connect(trainee, &QPushButton::clicked, trainee_.get(), &TraineePlace::toggle);
   row->addWidget(trainee);
   auto* eyes = make_button(tr("Eyes…"), {}, QStringLiteral("trainee_options"), bar);
   eyes->setAccessibleName(tr("Settings of the trainee view"));
   eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
-  connect(eyes, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);
+  connect(eyes, &QPushButton::clicked, trainee_.get(), &TraineePlace::show_settings);
   row->addWidget(eyes);
   row->addSpacing(8);
   auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
@@ -328,7 +330,6 @@ void MainWindow::restore(const Launch& launch) {
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   run_->set_used_controls(settings_.text("used_controls"));
   run_->set_guided(settings_.text("guided") == QLatin1String("true"));
-  read_station_look();
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);
   SetupPanel* setup = run_->setup();
@@ -352,10 +353,7 @@ void MainWindow::restore(const Launch& launch) {
   if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);
   if (!launch.review.isEmpty()) review_given(launch);
   if (!launch.attempt_file.isEmpty()) review_file(launch.attempt_file);
-  if (!launch.trainee.isEmpty()) {
-    trainee_look_.stereo.layout = layout_of(launch.trainee);
-    show_trainee();
-  }
+  if (!launch.trainee.isEmpty()) trainee_->show_with(layout_of(launch.trainee));
   // once the event loop runs and the window is there
   if (launch.start) QTimer::singleShot(0, run_, &RunPage::start);
 }
@@ -387,7 +385,7 @@ void MainWindow::remember() {
     settings_.set(layout_key(*splitter), splitter->saveState());
   settings_.set("sound", run_->sound_on());
   settings_.set("left_handed", run_->setup()->left_handed());
-  console::remember(trainee_look_, settings_);
+  trainee_->remember();
   settings_.set("volume", run_->speaker().volume());
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());

@@ -10,8 +10,7 @@
 #include "console/app/command_line.hpp"
 #include "console/app/pages.hpp"
 #include "console/app/settings.hpp"
-#include "console/app/station.hpp"
-#include "console/app/trainee_window.hpp"
+#include "console/app/trainee_place.hpp"
 #include "console/link/station_link.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/pages/courses_page.hpp"
@@ -24,8 +23,6 @@
 #include "console/widgets/message_strip.hpp"
 
 namespace swage::console {
-
-class StationDialog;
 
 /// The window's ways into the framework; tests put doubles behind them.
 struct Services {
@@ -59,7 +56,7 @@ class MainWindow : public QMainWindow {
   /// More sections can be added to it: equipment has its own.
   SetupPage* setup_page() { return setup_; }
   /// The trainee's window; nullptr while it is closed.
-  TraineeWindow* trainee() { return trainee_.get(); }
+  TraineeWindow* trainee() { return trainee_->window(); }
   void set_theme(const QString& ui, const QString& cues);
   const QString& ui_theme() const { return ui_id_; }
 
@@ -67,10 +64,7 @@ class MainWindow : public QMainWindow {
   /// "run", "people"...: Page::id.
   void show_page(const QString& id) { pages_->go(id); }
   void show_help();
-  void toggle_trainee();
-  void show_trainee_settings();
-  /// True size and place: by a ruler, and with an arm.
-  void show_station();
+  void toggle_trainee() { trainee_->toggle(); }
   /// Calibration of a jaw sensor.
   void show_calibration();
   void review(const QString& attempt_id);
@@ -105,14 +99,10 @@ class MainWindow : public QMainWindow {
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);
   void remember();
-  void show_trainee();
-  void read_station_look();
-  std::optional<Placement> place_hand(const std::string& device);
   void connect_instrument();
   const SceneView* shown_view() const;
   void add_stations();
   void start_stations(StationsOpener opener, const QString& name);
-  record::StationNow station_now() const;
   void show_messages();
   void answer_message(const record::StationMessage& message, bool accepted);
   void show_message_to_trainee();
@@ -124,11 +114,7 @@ class MainWindow : public QMainWindow {
   StoreLink store_;
   SchoolDesk desk_;
   QString ui_id_, cues_id_;
-  TraineeLook trainee_look_;
-  std::unique_ptr<TraineeWindow> trainee_;
-  TraineeSettings* trainee_settings_ = nullptr;
-  Station station_;
-  StationDialog* station_dialog_ = nullptr;
+  std::unique_ptr<TraineePlace> trainee_;
   StatusStrip* strip_ = nullptr;
   MessageStrip* messages_ = nullptr;
   Pages* pages_ = nullptr;
@@ -140,7 +126,6 @@ class MainWindow : public QMainWindow {
   SetupPage* setup_ = nullptr;
   StationsPage* stations_page_ = nullptr;
   StationLink* stations_;  // outlives the members, as pages are hidden after them
-  Reader reading_;         // of the attempt, for those who watch from another station
 };
 
 }  // namespace swage::console

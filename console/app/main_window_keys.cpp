@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The main window and the keyboard, how it is left, and what it says at the next start.
+// The main window, who sits at it and with what: the keyboard, a person's instrument, its sensor; how it is left, and what it says at the
+// next start.
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "console/app/calibration_dialog.hpp"
 #include "console/app/language.hpp"
 #include "console/app/main_window.hpp"
 
@@ -29,6 +31,30 @@ void MainWindow::enter_run() {
   SetupPanel* setup = run_->setup();
   if (!run_->control()->running()) setup->set_people(people_->people()->names(), setup->person());
   run_->take_focus();
+}
+
+// Each person's own instrument is taken up with the name.
+void MainWindow::connect_instrument() {
+  setup_->set_devices(held_devices(run_->catalogue()));
+  const auto take = [this] {
+    const QString person = run_->setup()->person();
+    const Binding binding = read_binding(settings_, person);
+    setup_->show_binding(binding, person);
+    run_->set_binding(binding);
+  };
+  connect(run_->setup(), &SetupPanel::person_chosen, this, take);
+  connect(setup_, &SetupPage::binding_chosen, this, [this](const Binding& binding) {
+    console::remember(binding, run_->setup()->person(), settings_);
+    run_->set_binding(binding);
+  });
+  take();
+}
+
+void MainWindow::show_calibration() {
+  auto* dialog = new CalibrationDialog(UiTheme::stock(ui_id_), {}, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &CalibrationDialog::kept, this, [this] { setup_->show_calibrations(stored_calibrations()); });
+  dialog->show();
 }
 
 // While it is asked the attempt waits, and goes on where the person stays.
@@ -64,7 +90,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (control->running() && !control->attempt_id().empty()) settings_.set(kStoppedAtClose, true);
   control->stop();
   remember();
-  if (trainee_) trainee_->close();
+  trainee_->close();
   event->accept();
 }
 

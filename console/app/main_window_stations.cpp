@@ -5,40 +5,13 @@
 #include <algorithm>
 
 #include "console/app/main_window.hpp"
+#include "console/app/station_report.hpp"
 #include "record/identity.hpp"
 
 namespace swage::console {
 namespace {
 
 using Kind = record::StationMessage::Kind;
-
-record::StationState state_of(RunControl::State state) {
-  switch (state) {
-    case RunControl::State::kRunning:
-      return record::StationState::kRunning;
-    case RunControl::State::kPaused:
-      return record::StationState::kPaused;
-    case RunControl::State::kFinished:
-      return record::StationState::kFinished;
-    default:
-      return record::StationState::kIdle;
-  }
-}
-
-void take_snapshot(const snapshot::Snapshot& s, const Reading& reading, record::StationNow& now) {
-  now.step = s.step;
-  now.time_s = s.time_s;
-  now.score = s.score;
-  if (reading.force) now.force_N = *reading.force;
-  now.phase = reading.phase.toStdString();
-  for (const QString& meaning : reading.meanings) now.cues.push_back(meaning.toStdString());
-  now.late = s.health.late;
-  now.dropped = s.health.dropped;
-  now.solver = s.health.solver.steps;
-  now.stopped = s.health.quarantined;
-  now.silent_devices = static_cast<uint64_t>(
-      std::count_if(s.device, s.device + std::min(s.n_device, snapshot::kMaxDevices), [](const auto& d) { return d.stale != 0; }));
-}
 
 }  // namespace
 
@@ -63,33 +36,14 @@ void MainWindow::add_stations() {
 
 void MainWindow::start_stations(StationsOpener opener, const QString& name) {
   RunControl* control = run_->control();
-  connect(control, &RunControl::opened, this, [this, control] { reading_ = Reader(control->card()); });
-  stations_->set_voice([this] { return station_now(); });
+  auto* report = new StationReport(control, run_->setup(), &lessons_, this);
+  stations_->set_voice([report] { return report->now(); });
   stations_->set_camera([this] { return run_->view()->grab().toImage(); });
   connect(control, &RunControl::state_changed, this, [this, control] {
     messages_->set_running(control->running());
     stations_->tell_now();
   });
   stations_->start(std::move(opener), name.isEmpty() ? QString::fromStdString(record::station()) : name);
-}
-
-record::StationNow MainWindow::station_now() const {
-  const RunControl* control = run_->control();
-  record::StationNow now;
-  now.state = state_of(control->state());
-  now.person = run_->setup()->person().toStdString();
-  now.mode = run_->setup()->mode().toStdString();
-  if (control->state() == RunControl::State::kIdle) {
-    const int row = lessons_.row_of(run_->setup()->lesson());
-    if (row >= 0) now.lesson_id = lessons_.at(row).id.toStdString(), now.lesson_title = lessons_.at(row).title.toStdString();
-    return now;
-  }
-  now.lesson_id = control->card().lesson_id;
-  now.lesson_title = control->card().title;
-  now.attempt_id = control->attempt_id();
-  now.recorded = !now.attempt_id.empty();
-  if (const snapshot::Snapshot* newest = control->newest()) take_snapshot(*newest, reading_.read(*newest), now);
-  return now;
 }
 
 // A lesson that this station does not have is answered for the trainee, who could do nothing about it.
@@ -112,9 +66,9 @@ void MainWindow::answer_message(const record::StationMessage& message, bool acce
 }
 
 void MainWindow::show_message_to_trainee() {
-  if (!trainee_) return;
+  if (!trainee()) return;
   const QString words = messages_->words();
-  trainee_->view()->set_message(words.isEmpty() ? words : tr("%1   (F3: read)").arg(words));
+  trainee()->view()->set_message(words.isEmpty() ? words : tr("%1   (F3: read)").arg(words));
 }
 
 }  // namespace swage::console

@@ -2,7 +2,6 @@
 #include "console/app/trainee_window.hpp"
 
 #include <QCloseEvent>
-#include <QFormLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QScreen>
@@ -145,68 +144,11 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   setObjectName(QStringLiteral("trainee_settings"));
   setWindowTitle(tr("Trainee view"));
   auto* form = new QFormLayout(this);
-  layout_ = new QComboBox(this);
-  layout_->setObjectName(QStringLiteral("trainee_layout"));
-  for (const StereoLayout l : kStereoLayouts)
-    if (l != StereoLayout::kShutter || has_quad_buffers()) layout_->addItem(layout_words(l), layout_name(l));
-  layout_->setCurrentIndex(std::max(0, layout_->findData(layout_name(look.stereo.layout))));
-  layout_->setToolTip(
-      tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
-  form->addRow(tr("&Picture"), layout_);
-  if (!has_quad_buffers()) {
-    QLabel* shutter = make_muted(tr("Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none."), this);
-    shutter->setObjectName(QStringLiteral("trainee_shutter"));
-    form->addRow(QString(), shutter);
-  }
-  squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
-  squeezed_->setChecked(look.stereo.squeezed);
-  form->addRow(QString(), squeezed_);
-  mirror_ = new QComboBox(this);
-  mirror_->setObjectName(QStringLiteral("trainee_mirror"));
-  mirror_->addItem(tr("None"), mirror_name(Mirror::kNone));
-  mirror_->addItem(tr("Left and right"), mirror_name(Mirror::kLeftRight));
-  mirror_->addItem(tr("Up and down"), mirror_name(Mirror::kUpDown));
-  mirror_->setCurrentIndex(mirror_->findData(mirror_name(look.stereo.mirror)));
-  mirror_->setToolTip(tr("For a screen that is seen in a mirror over the hand"));
-  form->addRow(tr("&Mirror"), mirror_);
-  swapped_ = new QCheckBox(tr("S&wap eyes"), this);
-  swapped_->setChecked(look.stereo.rig.swapped);
-  form->addRow(QString(), swapped_);
-  eyes_ = length(QStringLiteral("trainee_eyes"), look.stereo.rig.eye_distance_mm, 70,
-                 tr("Stereo base of the microscope, at a working distance of 250 mm; 24 mm is usual, more "
-                    "exaggerates the depth"));
-  form->addRow(tr("&Eye separation"), eyes_);
-  convergence_ = length(QStringLiteral("trainee_convergence"), look.stereo.rig.convergence_mm, 1000,
-                        tr("Things at this distance lie in the plane of the screen. 250 mm is the plane in focus; with less, everything recedes behind the screen"));
-  convergence_->setMinimum(50);
-  form->addRow(tr("&Convergence"), convergence_);
-  microscope_ = new QCheckBox(tr("Look of a &microscope"), this);
-  microscope_->setObjectName(QStringLiteral("trainee_microscope"));
-  microscope_->setToolTip(tr("A round field, its light fading to the rim"));
-  microscope_->setChecked(look.stereo.microscope.on);
-  form->addRow(QString(), microscope_);
-  zoom_ = length(QStringLiteral("trainee_zoom"), look.stereo.microscope.zoom, static_cast<double>(kMostZoom),
-                 tr("As makers say it: 1 is the bare eye at 250 mm. In the view Ctrl+Page up and down, a pedal that sends them, or the wheel. Where the "
-                    "station was measured it is true"));
-  zoom_->setMinimum(static_cast<double>(kLeastZoom));
-  zoom_->setSuffix(tr(" ×"));
-  form->addRow(tr("Ma&gnification"), zoom_);
-  blur_ = new QCheckBox(tr("&Depth of field"), this);
-  blur_->setObjectName(QStringLiteral("trainee_blur"));
-  blur_->setToolTip(tr("What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. "
-                       "Without a graphics card pictures come less often"));
-  blur_->setChecked(look.stereo.microscope.blur);
-  form->addRow(QString(), blur_);
-  screen_ = new QComboBox(this);
-  screen_->setObjectName(QStringLiteral("trainee_screen"));
-  for (const QScreen* s : QGuiApplication::screens())
-    screen_->addItem(
-        QStringLiteral("%1 (%2 × %3)").arg(s->name()).arg(s->size().width()).arg(s->size().height()));
-  screen_->setCurrentIndex(std::clamp(look.screen, 0, screen_->count() - 1));
-  form->addRow(tr("Sc&reen"), screen_);
-  full_ = new QCheckBox(tr("&Full screen (F11)"), this);
-  full_->setChecked(look.full_screen);
-  form->addRow(QString(), full_);
+  add_layout(form, look.stereo);
+  add_mirror(form, look.stereo);
+  add_eyes(form, look.stereo.rig);
+  add_microscope(form, look.stereo.microscope);
+  add_screen(form, look);
   toggle_ = make_button({}, {}, QStringLiteral("trainee_toggle"), this);
   toggle_->setDefault(true);
   form->addRow(toggle_);
@@ -218,6 +160,83 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   for (QDoubleSpinBox* box : {eyes_, convergence_, zoom_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &TraineeSettings::changed);
   connect(toggle_, &QPushButton::clicked, this, &TraineeSettings::toggled);
+}
+
+void TraineeSettings::add_layout(QFormLayout* form, const StereoLook& stereo) {
+  layout_ = new QComboBox(this);
+  layout_->setObjectName(QStringLiteral("trainee_layout"));
+  for (const StereoLayout l : kStereoLayouts)
+    if (l != StereoLayout::kShutter || has_quad_buffers()) layout_->addItem(layout_words(l), layout_name(l));
+  layout_->setCurrentIndex(std::max(0, layout_->findData(layout_name(stereo.layout))));
+  layout_->setToolTip(
+      tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
+  form->addRow(tr("&Picture"), layout_);
+  if (!has_quad_buffers()) {
+    QLabel* shutter = make_muted(tr("Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none."), this);
+    shutter->setObjectName(QStringLiteral("trainee_shutter"));
+    form->addRow(QString(), shutter);
+  }
+  squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
+  squeezed_->setChecked(stereo.squeezed);
+  form->addRow(QString(), squeezed_);
+}
+
+void TraineeSettings::add_mirror(QFormLayout* form, const StereoLook& stereo) {
+  mirror_ = new QComboBox(this);
+  mirror_->setObjectName(QStringLiteral("trainee_mirror"));
+  mirror_->addItem(tr("None"), mirror_name(Mirror::kNone));
+  mirror_->addItem(tr("Left and right"), mirror_name(Mirror::kLeftRight));
+  mirror_->addItem(tr("Up and down"), mirror_name(Mirror::kUpDown));
+  mirror_->setCurrentIndex(mirror_->findData(mirror_name(stereo.mirror)));
+  mirror_->setToolTip(tr("For a screen that is seen in a mirror over the hand"));
+  form->addRow(tr("&Mirror"), mirror_);
+}
+
+void TraineeSettings::add_eyes(QFormLayout* form, const StereoRig& rig) {
+  swapped_ = new QCheckBox(tr("S&wap eyes"), this);
+  swapped_->setChecked(rig.swapped);
+  form->addRow(QString(), swapped_);
+  eyes_ = length(QStringLiteral("trainee_eyes"), rig.eye_distance_mm, 70,
+                 tr("Stereo base of the microscope, at a working distance of 250 mm; 24 mm is usual, more "
+                    "exaggerates the depth"));
+  form->addRow(tr("&Eye separation"), eyes_);
+  convergence_ = length(QStringLiteral("trainee_convergence"), rig.convergence_mm, 1000,
+                        tr("Things at this distance lie in the plane of the screen. 250 mm is the plane in focus; with less, everything recedes behind the screen"));
+  convergence_->setMinimum(50);
+  form->addRow(tr("&Convergence"), convergence_);
+}
+
+void TraineeSettings::add_microscope(QFormLayout* form, const Microscope& microscope) {
+  microscope_ = new QCheckBox(tr("Look of a &microscope"), this);
+  microscope_->setObjectName(QStringLiteral("trainee_microscope"));
+  microscope_->setToolTip(tr("A round field, its light fading to the rim"));
+  microscope_->setChecked(microscope.on);
+  form->addRow(QString(), microscope_);
+  zoom_ = length(QStringLiteral("trainee_zoom"), microscope.zoom, static_cast<double>(kMostZoom),
+                 tr("As makers say it: 1 is the bare eye at 250 mm. In the view Ctrl+Page up and down, a pedal that sends them, or the wheel. Where the "
+                    "station was measured it is true"));
+  zoom_->setMinimum(static_cast<double>(kLeastZoom));
+  zoom_->setSuffix(tr(" ×"));
+  form->addRow(tr("Ma&gnification"), zoom_);
+  blur_ = new QCheckBox(tr("&Depth of field"), this);
+  blur_->setObjectName(QStringLiteral("trainee_blur"));
+  blur_->setToolTip(tr("What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. "
+                       "Without a graphics card pictures come less often"));
+  blur_->setChecked(microscope.blur);
+  form->addRow(QString(), blur_);
+}
+
+void TraineeSettings::add_screen(QFormLayout* form, const TraineeLook& look) {
+  screen_ = new QComboBox(this);
+  screen_->setObjectName(QStringLiteral("trainee_screen"));
+  for (const QScreen* s : QGuiApplication::screens())
+    screen_->addItem(
+        QStringLiteral("%1 (%2 × %3)").arg(s->name()).arg(s->size().width()).arg(s->size().height()));
+  screen_->setCurrentIndex(std::clamp(look.screen, 0, screen_->count() - 1));
+  form->addRow(tr("Sc&reen"), screen_);
+  full_ = new QCheckBox(tr("&Full screen (F11)"), this);
+  full_->setChecked(look.full_screen);
+  form->addRow(QString(), full_);
 }
 
 QDoubleSpinBox* TraineeSettings::length(const QString& name, float value, double most, const QString& tip) {

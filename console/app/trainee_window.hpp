@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QPushButton>
 #include <QWidget>
 
@@ -60,6 +61,11 @@ class TraineeSettings : public QDialog {
   void toggled();
 
  private:
+  void add_layout(QFormLayout* form, const StereoLook& stereo);
+  void add_mirror(QFormLayout* form, const StereoLook& stereo);
+  void add_eyes(QFormLayout* form, const StereoRig& rig);
+  void add_microscope(QFormLayout* form, const Microscope& microscope);
+  void add_screen(QFormLayout* form, const TraineeLook& look);
   QDoubleSpinBox* length(const QString& name, float value, double most, const QString& tip);
 
   QComboBox *layout_, *mirror_, *screen_;

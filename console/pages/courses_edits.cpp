@@ -2,6 +2,7 @@
 //
 // What the Courses page shows of a course, and how its widgets change it.
 #include <QLocale>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <cmath>
 
@@ -72,13 +73,31 @@ void CoursesPage::refresh() {
     const bool fresh = course_.id.empty() && std::find(known.begin(), known.end(), c.id) == known.end();
     if (c.id == course_.id || fresh) chosen = list_->count() - 1;
   }
-  if (lesson_->count() != lessons_->rowCount()) {
-    lesson_->clear();
-    for (int i = 0; i < lessons_->rowCount(); ++i) lesson_->addItem(said(lessons_->at(i).title), lessons_->at(i).id);
-  }
+  fill_lessons();
   list_->setCurrentRow(chosen);
   filling_ = before;
   choose_course(list_->currentRow());
+}
+
+// A lesson whose file is faulty is listed, and says so; it cannot be chosen with the mouse or the keys.
+void CoursesPage::fill_lessons() {
+  const QString chosen = lesson_->currentData().toString();
+  lesson_->clear();
+  auto* items = qobject_cast<QStandardItemModel*>(lesson_->model());
+  int first = -1, again = -1;
+  for (int i = 0; i < lessons_->rowCount(); ++i) {
+    const LessonEntry& lesson = lessons_->at(i);
+    const bool faulty = !lesson.problem.isEmpty();
+    lesson_->addItem((faulty ? tr("▲ faulty: ") : QString()) + said(lesson.title), lesson.id);
+    if (faulty) {
+      lesson_->setItemData(i, lesson.problem, Qt::ToolTipRole);
+      if (items) items->item(i)->setEnabled(false);
+      continue;
+    }
+    if (first < 0) first = i;
+    if (again < 0 && lesson.id == chosen) again = i;
+  }
+  lesson_->setCurrentIndex(again >= 0 ? again : first);
 }
 
 void CoursesPage::choose_course(int row) {
@@ -96,8 +115,9 @@ void CoursesPage::show_course() {
   int number = 0;
   for (const record::CourseStep& s : course_.steps) {
     const QString known = QString::fromStdString(s.lesson_id);
-    const QString gone = lessons_->row_of(known) < 0 ? tr("▲ not installed: ") : QString();
-    steps_->addItem(tr("%1  %3%2").arg(++number).arg(said(s.title.empty() ? s.lesson_id : s.title), gone));
+    const int row = lessons_->row_of(known);
+    const QString fault = row < 0 ? tr("▲ not installed: ") : lessons_->at(row).problem.isEmpty() ? QString() : tr("▲ faulty: ");
+    steps_->addItem(tr("%1  %3%2").arg(++number).arg(said(s.title.empty() ? s.lesson_id : s.title), fault));
   }
   steps_->setCurrentRow(std::clamp(at, course_.steps.empty() ? -1 : 0, static_cast<int>(course_.steps.size()) - 1));
   filling_ = before;
@@ -168,13 +188,20 @@ void CoursesPage::simulate() {
 void CoursesPage::add_lesson() {
   const int row = lessons_->row_of(lesson_->currentData().toString()), at = steps_->currentRow() + 1;
   if (row < 0) return;
+  if (!lessons_->at(row).problem.isEmpty()) {
+    problem_->setText(tr("▲ %1").arg(lessons_->at(row).problem));
+    return problem_->show();
+  }
   record::CourseStep fresh;
   fresh.lesson_id = lessons_->at(row).id.toStdString();
   fresh.title = lessons_->at(row).title.toStdString();
   edit(tr("Add a lesson"), [&](record::Course& c) { c.steps.insert(c.steps.begin() + at, fresh); });
   steps_->setCurrentRow(at);
   if (title_->hasFocus()) steps_->setFocus();  // a line that is typed into keeps Ctrl+Z for itself
-  if (lesson_->currentIndex() + 1 < lesson_->count()) lesson_->setCurrentIndex(lesson_->currentIndex() + 1);
+  for (int next = lesson_->currentIndex() + 1; next < lesson_->count(); ++next) {
+    if (!lessons_->at(next).problem.isEmpty()) continue;
+    return lesson_->setCurrentIndex(next);  // the next that can be added
+  }
 }
 
 void CoursesPage::move_step(int by) {

@@ -54,6 +54,7 @@ class CoursesPage : public QWidget {
   /// Writes the course as `change` leaves it.
   void edit(const QString& words, const std::function<void(record::Course&)>& change, int field = -1);
   void edit_step(const QString& words, const std::function<void(record::CourseStep&)>& change, int field = -1);
+  void fill_lessons();
   void choose_course(int row);
   void show_course();
   void show_step();

@@ -2,15 +2,15 @@
 #include "console/pages/run_page.hpp"
 
 #include <QHBoxLayout>
-#include <swage/abi/device.h>
+#include <QMessageBox>
+#include <QRandomGenerator>
+#include <QResizeEvent>
+#include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "console/models/lesson_files.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/models/said.hpp"
-#include "console/models/words.hpp"
+#include "console/pages/event_table.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -19,8 +19,13 @@ namespace {
 constexpr int kPreviewDelay_ms =
     80;  // running through the list with the arrow keys loads only where one stays
 
-// the live parameter of a device led by the pointer that is told about which circle it turns a needle
-constexpr char kCircleCentre[] = "circle_centre";
+constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
+
+constexpr int kBottom_px = 140;  // three events, or ten cues in two columns; higher where a lesson has more
+// On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
+constexpr int kNarrow_px = 1180, kLow_px = 600;
+constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
+constexpr int kLessons_px = 290, kSlimLessons_px = 256;  // and the titles of the lessons fit the list
 
 }  // namespace
 
@@ -41,19 +46,64 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   row->addWidget(make_middle(), 1);
   row->addWidget(make_right());
 
+  presenter_ = std::make_unique<AttemptPresenter>(AttemptPresenter::Parts{control_, setup_, &options_, bar_, events_, strip_});
+  presenter_->add_view(view_);
+  presenter_->add_panels(now_, legend_, AttemptPresenter::For::kTrainee);
   preview_timer_.setSingleShot(true);
   preview_timer_.setInterval(kPreviewDelay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &RunPage::preview);
   connect_setup();
+  connect_editing();
   connect_control();
-  connect(now_->form(), &LiveForm::changed, this, &RunPage::change);
-  connect(&guide_, &GuideControl::noted, events_, &EventLog::note);
-  add_view(view_);
-  connect(result_, &ResultPanel::again, this, &RunPage::start);
-  connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
-  connect(result_, &ResultPanel::review, this, &RunPage::review);
-  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
+  connect_bars();
   update_state();
+}
+
+QWidget* RunPage::make_middle() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  view_ = new SceneView(box);
+  bar_ = new ViewBar(box);
+  column->addWidget(bar_);
+  fault_ = new FaultCard(box);
+  column->addWidget(fault_);
+  column->addWidget(view_, 1);
+  actions_ = new ActionBar(control_, box);
+  column->addWidget(actions_);
+  column->addWidget(make_bottom());
+  return box;
+}
+
+// what happened, and what the cues mean
+QWidget* RunPage::make_bottom() {
+  auto* box = bottom_ = new QWidget(this);
+  box->setMinimumHeight(kBottom_px);
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // as high as the legend asks for
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  event_table_ = make_event_table(shown_events_, box);
+  event_table_->setObjectName(QStringLiteral("events"));
+  event_table_->setAccessibleName(tr("What happened in this attempt"));
+  event_table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  row->addWidget(event_table_, 5);
+  legend_ = new CueLegend(box);
+  row->addWidget(legend_, 9);
+  return box;
+}
+
+QWidget* RunPage::make_right() {
+  auto* scroll = make_scroll(this);
+  right_box_ = scroll;
+  right_ = new QStackedWidget(scroll);
+  scroll->setWidget(right_);
+  now_ = new NowPanel(right_);
+  result_ = new ResultPanel(right_);
+  right_->addWidget(now_);
+  right_->addWidget(result_);
+  return scroll;
 }
 
 void RunPage::connect_setup() {
@@ -67,17 +117,17 @@ void RunPage::connect_setup() {
   connect(setup_, &SetupPanel::make_variant, editing_, &LessonEditing::make_variant);
   connect(setup_, &SetupPanel::edit_lesson, editing_, &LessonEditing::edit);
   connect(setup_, &SetupPanel::delete_lesson, editing_, &LessonEditing::remove);
+}
+
+void RunPage::connect_editing() {
   connect(editing_, &LessonEditing::changed, this, &RunPage::preview);
-  connect(editing_, &LessonEditing::failed, this, [this](const QString& words) {
-    problem_->setText(words);
-    problem_->show();
-  });
+  connect(editing_, &LessonEditing::failed, fault_, &FaultCard::say);
   connect(editing_, &LessonEditing::try_it, this, [this] {
     setup_->set_mode(QStringLiteral("practice"));
     start();
     Q_EMIT started_elsewhere();
   });
-  editing_->set_dress([this](SceneView& view) { view.set_themes(ui_theme_, cue_theme_); });
+  editing_->set_dress([this](SceneView& view) { view.set_themes(presenter_->ui_theme(), presenter_->cue_theme()); });
   editing_->set_live_values([this](const QString& lesson) {
     return shown_lesson_ == lesson ? now_->form()->changed_values() : QVector<LiveForm::Change>();
   });
@@ -85,39 +135,43 @@ void RunPage::connect_setup() {
 
 void RunPage::connect_control() {
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
-  connect(control_, &RunControl::failed, this, &RunPage::show_problems);
-  connect(control_, &RunControl::told, this, &RunPage::show_record_warning);
+  connect(control_, &RunControl::failed, fault_, &FaultCard::show_problems);
+  connect(control_, &RunControl::told, fault_, &FaultCard::show_record_warning);
   connect(control_, &RunControl::state_changed, this, &RunPage::update_state);
-  connect(control_, &RunControl::frame, this, &RunPage::update_frame);
+  connect(control_, &RunControl::frame, presenter_.get(), &AttemptPresenter::update_frame);
   connect(control_, &RunControl::finished, this, &RunPage::show_finished);
-  connect(control_, &RunControl::happened, this,
-          [this](const judge::Event& e) { hear(e); });
-  connect(control_, &RunControl::marked, this,
-          [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
+  connect(result_, &ResultPanel::again, this, &RunPage::start);
+  connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
+  connect(result_, &ResultPanel::review, this, &RunPage::review);
+  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
 }
 
-void RunPage::set_sound(bool on, double volume) {
-  sound_button_->setChecked(on);
-  volume_->setValue(static_cast<int>(std::lround(100 * volume)));
+void RunPage::connect_bars() {
+  connect(bar_, &ViewBar::view_chosen, this, &RunPage::look);
+  connect(bar_, &ViewBar::cues_toggled, this, &RunPage::update_cues);
+  connect(bar_, &ViewBar::insets_toggled, presenter_.get(), &AttemptPresenter::update_insets);
+  connect(bar_, &ViewBar::forces_toggled, view_, &SceneView::set_forces_shown);
+  connect(bar_, &ViewBar::detail_toggled, shown_events_, &EventFilter::show_technical);
+  connect(bar_, &ViewBar::detail_toggled, view_, &SceneView::set_stress_shown);
+  connect(bar_, &ViewBar::instructor_toggled, this, &RunPage::show_instructor);
+  connect(actions_, &ActionBar::guide_toggled, presenter_.get(), &AttemptPresenter::toggle_guide);
+  connect(fault_, &FaultCard::run_unrecorded, this, &RunPage::start_unrecorded);
 }
 
-// a test is taken without help, so it is silent
-void RunPage::sound(const Reading& reading, double time_s) {
-  const bool heard = sound_button_->isChecked() && cues_button_->isChecked() && !cues_hidden();
-  for (const QString& name : sounds_.hear(reading.meanings, time_s, cue_theme_)) {
-    if (heard) speaker_.play(tone(name));
-  }
-  const QString silent = speaker_.why_silent();
-  if (!silent.isEmpty())
-    sound_button_->setToolTip(tr("No sound device answers (%1). Cues are seen, not heard.").arg(silent));
+void RunPage::resizeEvent(QResizeEvent* event) {
+  const bool narrow = width() < kNarrow_px;
+  setup_->setFixedWidth(narrow ? kSlimLessons_px : kLessons_px);
+  right_box_->setFixedWidth(narrow ? kSlimSide_px : kSide_px);
+  bottom_->setVisible(height() >= kLow_px);
+  actions_->set_narrow(narrow);
+  fold_bar();
+  QWidget::resizeEvent(event);
 }
+
+void RunPage::fold_bar() { bar_->fold_to(width() - setup_->maximumWidth() - right_box_->maximumWidth()); }
 
 void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
-  ui_theme_ = ui;
-  cue_theme_ = cues;
-  for (SceneView* view : views_) view->set_themes(ui, cues);
-  for (NowPanel* now : now_panels()) now->set_themes(ui, cues);
-  for (CueLegend* legend : legends()) legend->set_themes(ui, cues);
+  presenter_->set_themes(ui, cues);
   result_->set_theme(ui);
 }
 
@@ -134,146 +188,154 @@ MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& m
   return said;
 }
 
+QString RunPage::fault_of(const QString& lesson_path) {
+  if (control_->running()) return {};
+  base::Problems problems;
+  return control_->preview(options_.of(lesson_path), problems) ? QString() : problem_words(problems, lesson_path);
+}
+
 void RunPage::set_expert(ExpertOpener open) {
-  guide_.set_expert(std::move(open));
+  presenter_->guide().set_expert(std::move(open));
   update_cues();
 }
 
 void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
 
-void RunPage::look(CameraPreset preset) {
-  preset_ = preset;
-  for (SceneView* view : views_) view->look(preset);
+std::unique_ptr<ArmReader> RunPage::make_arm_reader() {
+  if (control_->running() || setup_->lesson().isEmpty()) return nullptr;
+  return std::make_unique<ArmReader>(control_->opener(), options_.reader());
 }
 
-void RunPage::add_view(SceneView* view) {
-  views_ += view;
-  connect(view, &SceneView::pointer, control_, &RunControl::pointer);
-  connect(view, &SceneView::circle, this, &RunPage::tell_circle);
-  connect(view, &SceneView::control_used, this, [this](const QString& what) {
-    used_ += QLatin1Char(' ') + what;
-    update_hints();
-  });
-  if (view == view_) return;
-  connect(view, &QObject::destroyed, this, [this, view] { views_.removeOne(view); });
-  view->set_themes(ui_theme_, cue_theme_);
-  if (have_card_) view->set_card(card_, preset_);
-  view->set_instrument(view_->instrument());
-  view->set_cues_shown(view_->cues_shown());
-  guide_.show_in(view);
+void RunPage::set_binding(const Binding& binding) {
+  if (options_.set_binding(binding)) setup_->set_own_instrument(options_.instrument_title());
 }
 
-record::Display RunPage::display() const {
-  const auto open = std::find_if(views_.rbegin(), views_.rend(), [](const SceneView* v) { return v->isVisible(); });
-  record::Display out = (open != views_.rend() ? *open : view_)->display();
-  out.guided = guide_.guides();
-  return out;
+void RunPage::take_focus() { control_->running() ? view_->setFocus() : setup_->focus_start(); }
+
+void RunPage::preview() {
+  preview_timer_.stop();
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  if (!shown_lesson_.isEmpty() && shown_lesson_ != setup_->lesson()) {
+    forget_attempt();
+    presenter_->set_next_look(CameraPreset::kOrbit);  // a view that suits one lesson may hide the work of another
+  }
+  shown_lesson_ = setup_->lesson();
+  asked_ = read_criteria(shown_lesson_.toStdString(), catalogue());
+  setup_->set_show(asked_.show);
+  options_.set_show(asked_.show);
+  base::Problems problems;
+  const auto card = control_->preview(options_.attempt(display(), presenter_->cue_theme()), problems);
+  setup_->set_startable(card != nullptr);
+  if (!card) {
+    const QString title = lessons_->at(lessons_->row_of(shown_lesson_)).title;
+    bar_->set_title(said(title));
+    fold_bar();
+    presenter_->show_no_scene(title, asked_);
+    return fault_->show_problems(problems);
+  }
+  fault_->hide_words();
+  show_card(*card);
+  right_->setCurrentWidget(now_);
 }
 
-// A view that changes in the middle of an attempt is noted at its moment; the head of the record says how it began.
-void RunPage::tell_display() {
-  const record::Display now = display();
-  if (now == seen_) return;
-  seen_ = now;
-  control_->note("display: " + record::words(now));
+void RunPage::show_card(const snapshot::SceneCard& card) {
+  bar_->set_title(said(card.title));
+  fold_bar();
+  presenter_->show_card(card, asked_);
 }
 
-void RunPage::change(const QString& instance, const QString& json, const QString& words) {
-  const QString problem = control_->change(instance.toStdString(), json.toStdString());
-  for (NowPanel* now : now_panels()) now->form()->answer(problem);
-  if (problem.isEmpty() && control_->newest()) events_->note(control_->newest()->time_s, words);
+void RunPage::start() { launch(false); }
+
+void RunPage::start_unrecorded() {
+  launch(true);
+  if (control_->running()) fault_->say_unrecorded();
+}
+
+// A letter that was meant for the instrument makes another person of a name: nobody is added without a word.
+bool RunPage::agree_on_person() {
+  if (!setup_->person_is_new()) return true;
+  const QString name = setup_->person();
+  QMessageBox ask(QMessageBox::Question, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
+  ask.setObjectName(QStringLiteral("new_trainee"));
+  const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
+  ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));
+  ask.exec();
+  if (ask.clickedButton() != add) {
+    setup_->focus_person();
+    return false;
+  }
+  setup_->know_person(name);
+  return true;
+}
+
+void RunPage::launch(bool unrecorded) {
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  // what is about to run has been looked at, and could be built
+  if (preview_timer_.isActive() || !setup_->startable()) preview();
+  if (!setup_->startable()) return;
+  const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
+  if (kept && !agree_on_person()) return;
+  presenter_->clear();
+  fault_->clear();
+  session::Options o = options_.attempt(display(), presenter_->cue_theme()), like = options_.lesson(display());
+  if (unrecorded) o.store_path = ":none:";
+  if (draws_seed_) {
+    const std::string seed = "seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed));
+    o.settings.push_back(seed);
+    like.settings.push_back(seed);
+  }
+  o.display = presenter_->begin(like, guided());
+  if (!control_->start(o)) return;
+  presenter_->guide().show();
+  view_->setFocus();
+}
+
+// What is left of the last attempt belongs to its lesson.
+void RunPage::forget_attempt() {
+  presenter_->forget();
+  right_->setCurrentWidget(now_);
 }
 
 void RunPage::update_state() {
-  using State = RunControl::State;
-  const State state = control_->state();
-  const bool running = control_->running();
-  setup_->set_running(running, state == State::kPaused);
-  for (NowPanel* now : now_panels()) now->form()->set_running(running);
-  for (CueLegend* legend : legends())
-    if (!running) legend->set_active({});
-  for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
-  pause_->setText(state == State::kPaused ? tr("Resume   F6") : tr("Pause   F6"));
-  show_keys_below();
+  const bool running = control_->running(), paused = control_->state() == RunControl::State::kPaused;
+  setup_->set_running(running, paused);
+  actions_->set_running(running, paused);
   if (running) right_->setCurrentWidget(now_);
-  // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
-  for (SceneView* view : views_) view->set_instrument(state == State::kRunning && by_mouse());
-  update_second();
-  update_hints();
-  if (state == State::kRunning) {
-    rate_clock_.start();
-    rate_steps_ = control_->newest() ? control_->newest()->step : 0;
-  }
   if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));
-  if (!running) guide_.end();
+  presenter_->update_state();
   update_cues();
-  update_frame();
+  presenter_->update_frame();
 }
 
-bool RunPage::by_mouse() const {
-  const std::vector<snapshot::CardDevice>& devices = control_->card().devices;
-  return std::any_of(devices.begin(), devices.end(),
-                     [](const snapshot::CardDevice& d) { return (d.flags & SWAGE_DEVICE_POINTER) != 0; });
-}
-
-// To the hand that the pointer leads, as a change of its parameters: so it is recorded, and replayed. In a mirrored lesson it moves in the mirror image.
-void RunPage::tell_circle(const std::optional<NeedleCircle>& about) {
-  NeedleCircle circle = about.value_or(NeedleCircle{});
-  if (setup_->mirrored()) circle = mirrored(circle);
-  const auto list = [](const QVector3D& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
-  const nlohmann::json change = {{kCircleCentre, list(circle.centre / static_cast<float>(kMmPerM))},
-                                 {"circle_axis", list(circle.axis)}};
-  for (const snapshot::CardDevice& d : control_->card().devices) {
-    const host::PluginInfo* plugin = catalogue().find(d.plugin);
-    const bool asks = plugin == nullptr || std::any_of(plugin->params.begin(), plugin->params.end(),
-                                                       [](const host::Param& p) { return p.id == kCircleCentre; });
-    if (asks && (d.flags & SWAGE_DEVICE_POINTER) != 0) control_->change(d.name, change.dump());
-  }
-}
-
-void RunPage::update_second() {
-  view_->set_second_shown(control_->running() && by_mouse() && second_button_->isChecked());
-  view_->set_loupe_shown(second_button_->isChecked());
-}
-
+// A test shows no answers: neither readings nor cues nor what happened, but in the instructor's window.
 void RunPage::update_cues() {
-  // a test is taken without help: only the instructor's window shows cues
-  cues_button_->setEnabled(!cues_hidden());
-  guide_button_->setEnabled(guide_.possible() && !cues_hidden());
-  const bool shown = !cues_hidden() && cues_button_->isChecked();
-  for (SceneView* view : views_) view->set_cues_shown(shown);
-  legend_->set_in_picture(shown);
-  update_hidden();
+  presenter_->update_cues();
+  actions_->set_guide_allowed(presenter_->guide().possible() && !presenter_->is_test());
+  event_table_->setVisible(!control_->running() || !presenter_->is_test());
 }
 
-void RunPage::update_frame() {
-  const snapshot::Snapshot* newest = control_->newest();
-  if (!newest) return;
-  if (const snapshot::Snapshot* shown = control_->shown()) {
-    for (SceneView* view : views_) view->show_snapshot(*shown);
+void RunPage::show_finished() {
+  const session::Result& r = control_->result();
+  result_->set_free_time(metric_target(shown_lesson_.toStdString(), "time.task", catalogue()).high.value_or(0));
+  if (asked_.show)
+    result_->show_seen(r);
+  else
+    result_->show_result(r, control_->card(), !r.attempt_id.empty());
+  result_->set_criteria(asked_);
+  result_->set_can_go_on(setup_->has_next());
+  right_->setCurrentWidget(result_);
+  presenter_->end(r.simulated_s, result_->outcome());
+  Q_EMIT attempt_over();
+}
+
+void RunPage::show_instructor(bool on) {
+  if (on && !instructor_) {
+    instructor_ = new InstructorWindow(shown_events_, this);
+    connect(instructor_, &InstructorWindow::closed, this, [this] { bar_->set_instructor(false); });
+    presenter_->add_panels(instructor_->now(), instructor_->legend(), AttemptPresenter::For::kInstructor);
   }
-  guide_.move(control_->shown());
-  const bool paused = control_->state() == RunControl::State::kPaused;
-  if (!control_->running()) return;
-  set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
-  tell_display();
-  if (paused) return;
-  const Reading reading = reader_.read(*newest);
-  for (NowPanel* now : now_panels()) now->show_reading(reading, newest->time_s);
-  for (CueLegend* legend : legends())
-    if (legend != legend_ || !cues_hidden()) legend->set_active(reading.meanings);
-  for (SceneView* view : views_) view->set_task(cues_hidden() ? setup_->summary() : said(reading.phase));
-  sound(reading, newest->time_s);
-  for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
-  advise(reading);
-  // once a second is often enough to read a number
-  if (rate_clock_.elapsed() >= 1000) {
-    steps_per_s_ =
-        static_cast<double>(newest->step - rate_steps_) * 1000.0 / static_cast<double>(rate_clock_.elapsed());
-    rate_steps_ = newest->step;
-    rate_clock_.restart();
-    strip_->show_health(*newest, control_->card(), steps_per_s_, control_->options().store_path != ":none:");
-  }
+  if (instructor_) instructor_->setVisible(on);
+  bar_->set_instructor(on);
 }
 
 }  // namespace swage::console

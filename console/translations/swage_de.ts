@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AttemptAdvice</name>
+    <message>
+        <source>Dropped: put it back with F7, or take it where it lies.</source>
+        <translation>Gefallen: mit F7 zurücklegen, oder dort greifen, wo es liegt.</translation>
+    </message>
+    <message>
+        <source>Held at the wrong place: open the jaws (B), and take it at the mark.</source>
+        <translation>An der falschen Stelle gehalten: Backen öffnen (B) und an der Marke greifen.</translation>
+    </message>
+    <message>
+        <source>Held at the wrong place: open the jaws, and take it at the mark.</source>
+        <translation>An der falschen Stelle gehalten: Backen öffnen und an der Marke greifen.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>What the cues mean</source>
@@ -828,6 +843,49 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::ActionBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>Put what the lesson works on back to where it started (F7)</source>
+        <translation>Woran die Lektion arbeitet, dorthin zurücklegen, wo es begann (F7)</translation>
+    </message>
+    <message>
+        <source>Remember the moment two seconds ago (F8)</source>
+        <translation>Den Moment vor zwei Sekunden merken (F8)</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s instruments, seen through, show what comes next and wait for you; not in a test (F4)</source>
+        <translation>Durchscheinende Instrumente eines Experten zeigen, was als Nächstes kommt, und warten auf Sie; nicht im Test (F4)</translation>
+    </message>
+    <message>
+        <source>Resume   F6</source>
+        <translation>Weiter   F6</translation>
+    </message>
+    <message>
+        <source>Pause   F6</source>
+        <translation>Pause   F6</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::ArmReader</name>
     <message>
         <source>The instrument cannot be opened.</source>
@@ -879,6 +937,17 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AttemptPresenter</name>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1305,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>▲ nicht installiert: </translation>
     </message>
     <message>
+        <source>▲ faulty: </source>
+        <translation>▲ fehlerhaft: </translation>
+    </message>
+    <message>
         <source>%1  %3%2</source>
         <translation>%1  %3%2</translation>
     </message>
@@ -1569,6 +1642,33 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Meaning</source>
         <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::FaultCard</name>
+    <message>
+        <source>Run without recording</source>
+        <translation>Ohne Aufzeichnung ausführen</translation>
+    </message>
+    <message>
+        <source>The lesson runs; nothing of this attempt is kept</source>
+        <translation>Die Lektion läuft; von diesem Versuch bleibt nichts</translation>
+    </message>
+    <message>
+        <source>▲ NOT RECORDED: nothing of this attempt is kept. %1</source>
+        <translation>▲ NICHT AUFGEZEICHNET: von diesem Versuch bleibt nichts. %1</translation>
+    </message>
+    <message>
+        <source>… and one more.</source>
+        <translation>… und eines mehr.</translation>
+    </message>
+    <message>
+        <source>… and %1 more.</source>
+        <translation>… und %1 mehr.</translation>
+    </message>
+    <message>
+        <source>This lesson cannot run:</source>
+        <translation>Diese Lektion kann nicht ausgeführt werden:</translation>
     </message>
 </context>
 <context>
@@ -3836,168 +3936,8 @@ Bea L., Frühjahr, links</translation>
 <context>
     <name>swage::console::RunPage</name>
     <message>
-        <source>Mark</source>
-        <translation>Markierung</translation>
-    </message>
-    <message>
-        <source>No sound device answers (%1). Cues are seen, not heard.</source>
-        <translation>Kein Tongerät antwortet (%1). Hinweise werden gesehen, nicht gehört.</translation>
-    </message>
-    <message>
-        <source>Resume   F6</source>
-        <translation>Weiter   F6</translation>
-    </message>
-    <message>
-        <source>Pause   F6</source>
-        <translation>Pause   F6</translation>
-    </message>
-    <message>
-        <source>○ Ready</source>
-        <translation>○ Bereit</translation>
-    </message>
-    <message>
-        <source>○ No lessons</source>
-        <translation>○ Keine Lektionen</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>Angehalten</translation>
-    </message>
-    <message>
-        <source>▲ NOT RECORDED: nothing of this attempt is kept. %1</source>
-        <translation>▲ NICHT AUFGEZEICHNET: von diesem Versuch bleibt nichts. %1</translation>
-    </message>
-    <message>
-        <source>… and one more.</source>
-        <translation>… und eines mehr.</translation>
-    </message>
-    <message>
-        <source>… and %1 more.</source>
-        <translation>… und %1 mehr.</translation>
-    </message>
-    <message>
-        <source>This lesson cannot run:</source>
-        <translation>Diese Lektion kann nicht ausgeführt werden:</translation>
-    </message>
-    <message>
-        <source>Run without recording</source>
-        <translation>Ohne Aufzeichnung ausführen</translation>
-    </message>
-    <message>
-        <source>The lesson runs; nothing of this attempt is kept</source>
-        <translation>Die Lektion läuft; von diesem Versuch bleibt nichts</translation>
-    </message>
-    <message>
         <source>What happened in this attempt</source>
         <translation>Was in diesem Versuch geschah</translation>
-    </message>
-    <message>
-        <source>Orbit</source>
-        <translation>Kreisen</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Seite</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Near</source>
-        <translation>Nah</translation>
-    </message>
-    <message>
-        <source>%1 view</source>
-        <translation>Ansicht: %1</translation>
-    </message>
-    <message>
-        <source>Cues</source>
-        <translation>Hinweise</translation>
-    </message>
-    <message>
-        <source>Show cues in the picture</source>
-        <translation>Hinweise im Bild zeigen</translation>
-    </message>
-    <message>
-        <source>Insets</source>
-        <translation>Lupen</translation>
-    </message>
-    <message>
-        <source>Small views: while the mouse is the instrument one at right angles, near the jaws; the wound magnified while there is one</source>
-        <translation>Kleine Ansichten: solange die Maus das Instrument ist, eine im rechten Winkel nahe den Backen; die Wunde vergrößert, solange es eine gibt</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Kräfte</translation>
-    </message>
-    <message>
-        <source>Show contact forces in the picture</source>
-        <translation>Kontaktkräfte im Bild zeigen</translation>
-    </message>
-    <message>
-        <source>Detail</source>
-        <translation>Genauer</translation>
-    </message>
-    <message>
-        <source>For the instructor: list also what the machine did, and colour a needle that bends by its stress</source>
-        <translation>Für Ausbilder: auch nennen, was die Maschine tat, und eine Nadel, die sich biegt, nach ihrer Spannung färben</translation>
-    </message>
-    <message>
-        <source>Instructor</source>
-        <translation>Ausbilder</translation>
-    </message>
-    <message>
-        <source>Readings, cues and events in a window of their own, also in a test (F10)</source>
-        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster, auch im Test (F10)</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Sound</source>
-        <translation>Ton</translation>
-    </message>
-    <message>
-        <source>Let the cues be heard</source>
-        <translation>Die Hinweise hören lassen</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Lautstärke</translation>
-    </message>
-    <message>
-        <source>Volume of the cues</source>
-        <translation>Lautstärke der Hinweise</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Put back</source>
-        <translation>Zurücklegen</translation>
-    </message>
-    <message>
-        <source>Put what the lesson works on back to where it started (F7)</source>
-        <translation>Woran die Lektion arbeitet, dorthin zurücklegen, wo es begann (F7)</translation>
-    </message>
-    <message>
-        <source>Remember the moment two seconds ago (F8)</source>
-        <translation>Den Moment vor zwei Sekunden merken (F8)</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Führung</translation>
-    </message>
-    <message>
-        <source>An expert&apos;s instruments, seen through, show what comes next and wait for you; not in a test (F4)</source>
-        <translation>Durchscheinende Instrumente eines Experten zeigen, was als Nächstes kommt, und warten auf Sie; nicht im Test (F4)</translation>
     </message>
     <message>
         <source>New trainee</source>
@@ -4012,16 +3952,12 @@ Bea L., Frühjahr, links</translation>
         <translation>Aufnehmen und beginnen</translation>
     </message>
     <message>
-        <source>Dropped: put it back with F7, or take it where it lies.</source>
-        <translation>Gefallen: mit F7 zurücklegen, oder dort greifen, wo es liegt.</translation>
+        <source>○ Ready</source>
+        <translation>○ Bereit</translation>
     </message>
     <message>
-        <source>Held at the wrong place: open the jaws (B), and take it at the mark.</source>
-        <translation>An der falschen Stelle gehalten: Backen öffnen (B) und an der Marke greifen.</translation>
-    </message>
-    <message>
-        <source>Held at the wrong place: open the jaws, and take it at the mark.</source>
-        <translation>An der falschen Stelle gehalten: Backen öffnen und an der Marke greifen.</translation>
+        <source>○ No lessons</source>
+        <translation>○ Keine Lektionen</translation>
     </message>
 </context>
 <context>
@@ -4376,6 +4312,29 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Cues are shown. Limits of force and time are told and end nothing; a recorded hand is judged as in a test.</source>
         <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SoundControl</name>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Let the cues be heard</source>
+        <translation>Die Hinweise hören lassen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Volume of the cues</source>
+        <translation>Lautstärke der Hinweise</translation>
+    </message>
+    <message>
+        <source>No sound device answers (%1). Cues are seen, not heard.</source>
+        <translation>Kein Tongerät antwortet (%1). Hinweise werden gesehen, nicht gehört.</translation>
     </message>
 </context>
 <context>
@@ -5121,6 +5080,73 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Change a value or a part: a copy under another title would be the same lesson.</source>
         <translation>Ändern Sie einen Wert oder ein Teil: Eine Kopie mit anderem Titel wäre dieselbe Lektion.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ViewBar</name>
+    <message>
+        <source>Orbit</source>
+        <translation>Kreisen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht: %1</translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Show cues in the picture</source>
+        <translation>Hinweise im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Insets</source>
+        <translation>Lupen</translation>
+    </message>
+    <message>
+        <source>Small views: while the mouse is the instrument one at right angles, near the jaws; the wound magnified while there is one</source>
+        <translation>Kleine Ansichten: solange die Maus das Instrument ist, eine im rechten Winkel nahe den Backen; die Wunde vergrößert, solange es eine gibt</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Show contact forces in the picture</source>
+        <translation>Kontaktkräfte im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Genauer</translation>
+    </message>
+    <message>
+        <source>For the instructor: list also what the machine did, and colour a needle that bends by its stress</source>
+        <translation>Für Ausbilder: auch nennen, was die Maschine tat, und eine Nadel, die sich biegt, nach ihrer Spannung färben</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Ausbilder</translation>
+    </message>
+    <message>
+        <source>Readings, cues and events in a window of their own, also in a test (F10)</source>
+        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster, auch im Test (F10)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,7 @@ QByteArray german_words(const QByteArray& pairs) {
 TEST_F(GermanWindow, SaysInGermanWhatAStrangersLessonSays) {
   const QString file = dir.filePath(QStringLiteral("strangers/clip.json"));
   put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Set a clip", "summary": "Close the clip.", "goal": "Not too hard.",
+                 "objects": [], "lesson": { "plugin": "x.lesson" },
                  "devices": [ { "name": "hand", "as": "mouse", "plugin": "swage.device.mouse" } ] })");
   put(dir.filePath(QStringLiteral("strangers/words.de.json")),
       german_words(R"("Set a clip": "Eine Klammer setzen", "Close the clip.": "Die Klammer schließen.")"));

@@ -88,7 +88,7 @@ TEST_F(LessonFiles, ALessonAsItIsWrittenStaysSoByteForByte) {
 TEST_F(LessonFiles, AFaultyFileIsRefusedWithFileLineAndReason) {
   EXPECT_EQ(import(write("cut.json", "{ \"format\": \"swage-lesson/1\",\n \"id\": ")).problem,
             QString::fromStdString("cut.json, line 2: " + assembly::say::kNotJson(8)));
-  const QString file = write("tray.json", "{ \"format\": \"swage-lesson/1\",\n \"id\": \"t\", \"title\": \"T\",\n \"objects\": [] }");
+  const QString file = write("tray.json", "{ \"format\": \"swage-lesson/1\",\n \"id\": \"t\", \"title\": \"T\",\n \"objects\": [], \"lesson\": { \"plugin\": \"x.lesson\" } }");
   fault = ":3 #/objects";
   EXPECT_EQ(import(file).problem, "tray.json, line 3: The lesson has no object \"tray\".");
   EXPECT_EQ(QDir(dir.filePath("other/lessons")).entryList(QDir::Files), QStringList()) << "nothing was written";

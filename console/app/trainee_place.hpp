@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The trainee's place beside the main window: the scene in a window of its own, how it is set up, and what was measured there, so that hand
+// and tool stand in one place. What is set is kept in the settings. [main]
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "console/app/settings.hpp"
+#include "console/app/station.hpp"
+#include "console/app/trainee_window.hpp"
+#include "console/pages/run_page.hpp"
+
+namespace swage::console {
+
+class StationDialog;
+
+class TraineePlace : public QObject {
+  Q_OBJECT
+ public:
+  /// `run`: whose attempt is shown, and whose instrument is placed. `window`: parent of the dialogs. All outlive it.
+  TraineePlace(RunPage* run, Settings& settings, QWidget* window);
+  ~TraineePlace() override;
+
+  /// The trainee's window; nullptr while it is closed.
+  TraineeWindow* window() { return window_.get(); }
+  void show();
+  void show_with(StereoLayout layout);
+  void toggle();
+  void close();
+  void show_settings();
+  /// True size and place: by a ruler, and with an arm.
+  void show_station();
+  /// How the window is set up is written to the settings; what is measured is written at once.
+  void remember() { console::remember(look_, settings_); }
+
+ Q_SIGNALS:
+  /// The window is there, or was set up anew.
+  void shown();
+
+ private:
+  void show_mark(const std::optional<QPointF>& at_mm);
+  void take_station();
+  std::optional<Placement> place_hand(const std::string& device);
+
+  RunPage* run_;
+  Settings& settings_;
+  QWidget* parent_;
+  Station station_;
+  TraineeLook look_;
+  std::unique_ptr<TraineeWindow> window_;
+  TraineeSettings* form_ = nullptr;
+  StationDialog* station_dialog_ = nullptr;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/attempt_advice.hpp"
+
+namespace swage::console {
+
+void AttemptAdvice::hear(const std::string& event_id, uint64_t step) {
+  if (event_id == "needle.dropped" || event_id == "thing.dropped" || event_id == "ring.dropped") dropped_ = true, dropped_at_ = step;
+  if (event_id == "host.reset") dropped_ = false;
+}
+
+bool AttemptAdvice::read(const Reading& reading, uint64_t step) {
+  const bool holds = reading.held.value_or(false), misplaced = holds && reading.spot == false;
+  if (holds && step > dropped_at_) dropped_ = false;
+  const bool changed = holds != holds_ || misplaced != misplaced_;
+  holds_ = holds, misplaced_ = misplaced;
+  return changed;
+}
+
+QString AttemptAdvice::words(bool by_mouse) const {
+  if (dropped_) return tr("Dropped: put it back with F7, or take it where it lies.");
+  if (!misplaced_) return {};
+  return by_mouse ? tr("Held at the wrong place: open the jaws (B), and take it at the mark.")
+                  : tr("Held at the wrong place: open the jaws, and take it at the mark.");
+}
+
+ControlHints AttemptAdvice::hints(bool test, bool drives) const {
+  const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
+  return {wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), !test && misplaced_ && wanted("open"), !test && dropped_};
+}
+
+}  // namespace swage::console

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/view_bar.hpp"
+
+#include <QHBoxLayout>
+#include <algorithm>
+
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kBarGap_px = 10;                          // between groups of buttons
+constexpr int kLongestTitle_px = 330, kSound_px = 140;  // what title and sound have beside the buttons
+
+}  // namespace
+
+ViewBar::ViewBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
+  // it never keeps the window wide: what does not fit goes into the menu
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row_->setContentsMargins(0, 0, 0, 0);
+  add_title();
+  add_presets();
+  row_->addSpacing(kBarGap_px);
+  add_toggles();
+  add_menu();
+  sound_ = new SoundControl(this);
+  row_->addWidget(sound_);
+}
+
+void ViewBar::add_title() {
+  title_ = new ElidedLabel(this);
+  title_->setObjectName(QStringLiteral("lesson_title"));
+  QFont font = title_->font();
+  font.setPointSizeF(font.pointSizeF() * 1.2), font.setBold(true);
+  title_->setFont(font);
+  row_->addWidget(title_, 1);
+}
+
+void ViewBar::add_presets() {
+  const struct {
+    QString text, name;
+    CameraPreset preset;
+  } presets[] = {{tr("Orbit"), QStringLiteral("view_orbit"), CameraPreset::kOrbit},
+                 {tr("Side"), QStringLiteral("view_side"), CameraPreset::kSide},
+                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop},
+                 {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
+  for (const auto& p : presets) {
+    auto* button = make_button(p.text, {}, p.name, this);
+    button->setToolTip(tr("%1 view").arg(p.text));
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { Q_EMIT view_chosen(preset); });
+    row_->addWidget(button);
+    folding_ += button;
+  }
+}
+
+// a button that stays as it was pressed
+QPushButton* ViewBar::add_toggle(const QString& text, const char* name, const QString& tip, bool on) {
+  auto* button = make_button(text, {}, QString::fromLatin1(name), this);
+  button->setCheckable(true);
+  button->setChecked(on);
+  button->setToolTip(tip);
+  row_->addWidget(button);
+  folding_ += button;
+  return button;
+}
+
+void ViewBar::add_toggles() {
+  cues_ = add_toggle(tr("Cues"), "cues", tr("Show cues in the picture"), true);
+  connect(cues_, &QPushButton::toggled, this, &ViewBar::cues_toggled);
+  insets_ = add_toggle(tr("Insets"), "second",
+                       tr("Small views: while the mouse is the instrument one at right angles, near the jaws; the "
+                          "wound magnified while there is one"),
+                       true);
+  connect(insets_, &QPushButton::toggled, this, &ViewBar::insets_toggled);
+  const QPushButton* forces = add_toggle(tr("Forces"), "forces", tr("Show contact forces in the picture"), false);
+  connect(forces, &QPushButton::toggled, this, &ViewBar::forces_toggled);
+  const QPushButton* detail =
+      add_toggle(tr("Detail"), "detail",
+                 tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"), false);
+  connect(detail, &QPushButton::toggled, this, &ViewBar::detail_toggled);
+  row_->addSpacing(kBarGap_px);
+  instructor_ = add_toggle(tr("Instructor"), "instructor",
+                           tr("Readings, cues and events in a window of their own, also in a test (F10)"), false);
+  connect(instructor_, &QPushButton::toggled, this, &ViewBar::instructor_toggled);
+}
+
+void ViewBar::add_menu() {
+  menu_ = make_button(tr("View"), {}, QStringLiteral("view_menu"), this);
+  auto* menu = new QMenu(menu_);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill_menu(menu); });
+  menu_->setMenu(menu);
+  row_->addWidget(menu_);
+}
+
+void ViewBar::fill_menu(QMenu* menu) const {
+  menu->clear();
+  for (QPushButton* b : folding_) {
+    QAction* action = menu->addAction(b->accessibleName(), b, &QPushButton::click);
+    action->setCheckable(b->isCheckable());
+    action->setChecked(b->isChecked());
+    action->setEnabled(b->isEnabled());
+  }
+}
+
+void ViewBar::fold_to(int room) {
+  int wanted = std::min(title_->sizeHint().width(), kLongestTitle_px) + kSound_px;
+  for (const QPushButton* b : folding_) wanted += b->sizeHint().width() + 6;
+  const bool fold = room < wanted;
+  for (QPushButton* b : folding_) b->setVisible(!fold);
+  menu_->setVisible(fold);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The bar over the picture of the Run page: the lesson's title, from where the scene is seen, what is drawn in it, its sound. Where the
+// buttons do not fit, one button has them as a menu. [main]
+#pragma once
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QList>
+#include <QMenu>
+#include <QPushButton>
+#include <QWidget>
+
+#include "console/pages/sound_control.hpp"
+#include "console/view3d/scene_view.hpp"
+
+namespace swage::console {
+
+class ViewBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewBar(QWidget* parent = nullptr);
+  void set_title(const QString& title) { title_->setText(title); }
+  /// `room`: pixels that title, buttons and sound have together.
+  void fold_to(int room);
+  bool cues_on() const { return cues_->isChecked(); }
+  /// A test allows none.
+  void set_cues_allowed(bool allowed) { cues_->setEnabled(allowed); }
+  bool insets_on() const { return insets_->isChecked(); }
+  /// As the instructor's window is shown or not; tells instructor_toggled where that is new.
+  void set_instructor(bool shown) { instructor_->setChecked(shown); }
+  SoundControl* sound() { return sound_; }
+
+ Q_SIGNALS:
+  /// From where the scene is to be seen.
+  void view_chosen(swage::console::CameraPreset preset);
+  /// What the picture is to show: cues; small views; contact forces.
+  void cues_toggled(bool on);
+  void insets_toggled(bool on);
+  void forces_toggled(bool on);
+  /// What an instructor sees besides: what the machine did, a needle's stress.
+  void detail_toggled(bool on);
+  /// The instructor's window is to be shown, or closed.
+  void instructor_toggled(bool on);
+
+ private:
+  void add_title();
+  void add_presets();
+  void add_toggles();
+  void add_menu();
+  QPushButton* add_toggle(const QString& text, const char* name, const QString& tip, bool on);
+  void fill_menu(QMenu* menu) const;
+
+  QHBoxLayout* row_;
+  QLabel* title_ = nullptr;
+  QList<QPushButton*> folding_;  // those that the menu has where they do not fit
+  QPushButton *cues_ = nullptr, *insets_ = nullptr, *instructor_ = nullptr, *menu_ = nullptr;
+  SoundControl* sound_ = nullptr;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/pages/attempt_advice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace swage::console {
+namespace {
+
+Reading held(bool at_the_mark) {
+  Reading r;
+  r.held = true;
+  r.spot = at_the_mark;
+  return r;
+}
+
+TEST(AttemptAdvice, WhatHasFallenIsToldUntilItIsHeldAgain) {
+  AttemptAdvice advice;
+  EXPECT_EQ(advice.words(true), "");
+  advice.hear("needle.dropped", 100);
+  EXPECT_TRUE(advice.words(true).startsWith("Dropped"));
+  EXPECT_TRUE(advice.hints(false, false).put_back);
+  EXPECT_FALSE(advice.hints(true, false).put_back) << "a test tells no answer";
+  advice.read(held(true), 100);  // the picture is as old as the fall
+  EXPECT_TRUE(advice.words(true).startsWith("Dropped"));
+  advice.read(held(true), 101);
+  EXPECT_EQ(advice.words(true), "");
+}
+
+TEST(AttemptAdvice, WhatIsPutBackHasNotFallenAnyMore) {
+  AttemptAdvice advice;
+  advice.hear("ring.dropped", 100);
+  advice.hear("host.reset", 120);
+  EXPECT_EQ(advice.words(true), "");
+  advice.hear("thread.slipped", 130);  // is not put back
+  EXPECT_EQ(advice.words(true), "");
+}
+
+TEST(AttemptAdvice, WhatIsHeldAtTheWrongPlaceIsLetGoOf) {
+  AttemptAdvice advice;
+  EXPECT_TRUE(advice.read(held(false), 1));
+  EXPECT_FALSE(advice.read(held(false), 2)) << "nothing new";
+  EXPECT_TRUE(advice.words(true).contains("(B)"));
+  EXPECT_TRUE(advice.words(false).startsWith("Held at the wrong place"));
+  EXPECT_FALSE(advice.words(false).contains("(B)")) << "the key is the mouse's";
+  EXPECT_TRUE(advice.hints(false, false).open);
+  EXPECT_TRUE(advice.read(held(true), 3));
+  EXPECT_EQ(advice.words(true), "");
+  EXPECT_FALSE(advice.hints(false, false).open);
+}
+
+TEST(AttemptAdvice, AControlIsToldUntilItWasUsedOnceInAnyAttempt) {
+  AttemptAdvice advice;
+  advice.set_used("drag");
+  EXPECT_FALSE(advice.hints(false, true).drag);
+  EXPECT_TRUE(advice.hints(false, true).close);
+  EXPECT_FALSE(advice.hints(false, true).drive) << "nothing is held";
+  advice.read(held(true), 1);
+  EXPECT_TRUE(advice.hints(false, true).drive);
+  EXPECT_FALSE(advice.hints(false, false).drive) << "nothing can be pierced";
+  advice.use("drive");
+  EXPECT_FALSE(advice.hints(false, true).drive);
+  EXPECT_EQ(advice.used(), "drag drive");
+  advice.reset();
+  EXPECT_FALSE(advice.hints(false, true).drag) << "what was used stays known";
+}
+
+}  // namespace
+}  // namespace swage::console
