@@ -1778,10 +1778,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>F7</translation>
     </message>
     <message>
-        <source>Bring the needle back</source>
-        <translation>Die Nadel zurückholen</translation>
-    </message>
-    <message>
         <source>F8</source>
         <translation>F8</translation>
     </message>
@@ -2172,6 +2168,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Quit; asks while a lesson runs</source>
         <translation>Beenden; fragt nach, solange eine Lektion läuft</translation>
+    </message>
+    <message>
+        <source>Put what the lesson works on back</source>
+        <translation>Woran die Lektion arbeitet, zurücklegen</translation>
     </message>
 </context>
 <context>
