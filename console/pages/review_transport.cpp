@@ -16,6 +16,8 @@ constexpr double kFrame_s = 0.01;  // of the buttons and keys that step
 
 QWidget* ReviewPage::make_transport() {
   auto* box = new QWidget(this);
+  // one row of it must not keep a window from being made smaller: then there are two
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   transport_ = new QBoxLayout(QBoxLayout::LeftToRight, box);
   transport_->setContentsMargins(0, 0, 0, 0);
   transport_->setSpacing(6);

@@ -5161,7 +5161,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Position right, without tips</source>
-        <translation>Ort richtig, ohne Spitzen</translation>
+        <translation>Ort gut, ohne Spitzen</translation>
     </message>
     <message>
         <source>Position right, tilted</source>

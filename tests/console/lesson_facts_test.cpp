@@ -46,7 +46,7 @@ std::string lesson(const QTemporaryDir& dir, const QByteArray& params,
   const QString path = dir.filePath("lesson.json");
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly)) return {};
-  file.write(R"({"lesson": {"plugin": ")" + plugin + R"(", "params": )" + params + "}}");
+  file.write(R"({"format": "swage-lesson/1", "id": "t", "title": "T", "objects": [], "lesson": {"plugin": ")" + plugin + R"(", "params": )" + params + "}}");
   return path.toStdString();
 }
 

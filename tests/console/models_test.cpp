@@ -29,6 +29,12 @@ void write(const QString& path, const QByteArray& text) {
   file.write(text);
 }
 
+/// A lesson file with these keys and no objects.
+QByteArray lesson_with(const QByteArray& keys) {
+  return R"({"format": "swage-lesson/1", "objects": [], "lesson": {"plugin": "x.lesson"}, )" + keys + "}";
+}
+const QByteArray kTwoHands = R"("devices": [{"name": "hand", "as": "mouse", "plugin": "x.mouse", "or": [{"as": "expert", "plugin": "x.hand"}, {"plugin": "x.pad"}]}])";
+
 TEST(Words, SayUnitsAndVerdicts) {
   QLocale::setDefault(QLocale::c());
   EXPECT_EQ(quantity_text(0.58, "N"), QString("0.58") + QChar(0x202f) + "N");
@@ -56,10 +62,8 @@ TEST(Words, SayUnitsAndVerdicts) {
 
 TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
   QTemporaryDir dir;
-  write(
-      dir.filePath("020_b.json"),
-      R"({"id": "b", "title": "Second", "summary": "two", "devices": [{"as": "mouse", "or": [{"as": "expert"}, {}]}]})");
-  write(dir.filePath("010_a.json"), R"({"id": "a", "title": "First"})");
+  write(dir.filePath("020_b.json"), lesson_with(R"("id": "b", "title": "Second", "summary": "two", )" + kTwoHands));
+  write(dir.filePath("010_a.json"), lesson_with(R"("id": "a", "title": "First")"));
   write(dir.filePath("030_broken.json"), R"({"id": )");
   write(dir.filePath("040_other.json"), R"({"poses": []})");
   LessonsModel model;
@@ -75,7 +79,7 @@ TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
   EXPECT_EQ(model.add_file(dir.filePath("010_a.json")), 0);
   EXPECT_EQ(model.rowCount(), 3);
   QTemporaryDir other;
-  write(other.filePath("mine.json"), R"({"id": "mine", "title": "Mine"})");
+  write(other.filePath("mine.json"), lesson_with(R"("id": "mine", "title": "Mine")"));
   EXPECT_EQ(model.add_file(other.filePath("mine.json")), 0);
   EXPECT_EQ(model.at(0).title, "Mine");
   EXPECT_EQ(model.row_of("b"), 2);
@@ -83,19 +87,23 @@ TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
 
   // named by another way to it, or a copy with the same id: listed once, the file that was named
   EXPECT_EQ(model.add_file(dir.filePath("../" + QFileInfo(dir.path()).fileName() + "/020_b.json")), 2);
-  write(other.filePath("copy.json"), R"({"id": "b", "title": "Second, changed"})");
+  write(other.filePath("copy.json"), lesson_with(R"("id": "b", "title": "Second, changed")"));
   EXPECT_EQ(model.add_file(other.filePath("copy.json")), 2);
   EXPECT_EQ(model.rowCount(), 4);
   EXPECT_EQ(model.at(2).title, "Second, changed");
+
+  // a fault of its structure is told as well, and what could be read of it is shown
+  write(other.filePath("faulty.json"), lesson_with(R"("id": "f", "title": "Faulty", "devices": [{"name": "hand"}])"));
+  EXPECT_EQ(model.add_file(other.filePath("faulty.json")), 0);
+  EXPECT_EQ(model.at(0).title, "Faulty");
+  EXPECT_TRUE(model.at(0).problem.contains("faulty.json")) << model.at(0).problem.toStdString();
 }
 
 TEST(Lessons, ThatAreBasedOnAnotherHaveItsHandsAndTheirOwnTitle) {
   QTemporaryDir dir;
-  write(
-      dir.filePath("010_a.json"),
-      R"({"id": "a", "title": "First", "summary": "one", "devices": [{"as": "mouse", "or": [{"as": "expert"}]}]})");
-  write(dir.filePath("020_b.json"), R"({"based_on": "010_a.json", "id": "b", "title": "Second"})");
-  write(dir.filePath("030_c.json"), R"({"based_on": "none.json", "id": "c", "title": "Third"})");
+  write(dir.filePath("010_a.json"), lesson_with(R"("id": "a", "title": "First", "summary": "one", )" + kTwoHands));
+  write(dir.filePath("020_b.json"), R"({"format": "swage-lesson/1", "based_on": "010_a.json", "id": "b", "title": "Second"})");
+  write(dir.filePath("030_c.json"), R"({"format": "swage-lesson/1", "based_on": "none.json", "id": "c", "title": "Third"})");
   LessonsModel model;
   model.set_folders({dir.path()});
   ASSERT_EQ(model.rowCount(), 3);
