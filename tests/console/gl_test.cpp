@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What needs pixels: runs under Xvfb with software OpenGL.
-#include <algorithm>
 #include <QLineF>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QWheelEvent>
+#include <algorithm>
 #include <functional>
 
 #include "gl_fixture.hpp"
