@@ -9,6 +9,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <optional>
