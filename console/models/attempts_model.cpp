@@ -50,7 +50,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && index.column() == kLesson) return qt(a.lesson_id);
   if (role == kSortRole) {
     if (index.column() == kWhen) return qt(a.started_utc);
-    if (index.column() == kScore) return a.outcome == "passed" ? a.score : -1.0;  // none was given
+    if (index.column() == kScore) return has_score(a) ? a.score : -1.0;
     if (index.column() == kTime) return a.simulated_s;
   } else if (role != Qt::DisplayRole) {
     return {};
@@ -65,7 +65,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kVerdict:
       return verdict(a);
     case kScore:
-      return a.outcome == "passed" ? QString::number(a.score, 'f', 0) : QStringLiteral("–");
+      return has_score(a) ? QString::number(a.score, 'f', 0) : QStringLiteral("–");
     case kTime:
       return clock_text(a.simulated_s);
     case kReason:
@@ -106,6 +106,8 @@ bool is_hand(const record::AttemptRow& attempt) { return attempt.is_scripted || 
 
 bool counts(const record::AttemptRow& a) { return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed"); }
 
+bool has_score(const record::AttemptRow& attempt) { return attempt.outcome == "passed"; }
+
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
   QStringList ids = {kScoreId, kTimeId};
   for (const record::AttemptRow& a : attempts) {
@@ -131,7 +133,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
     // what was stopped half way says nothing about skill
     if (!counts(*a)) continue;
     const bool passed = a->outcome == "passed";
-    if (id == kScoreId && !passed) {
+    if (id == kScoreId && !has_score(*a)) {
       ++series.without_score;
       continue;
     }
@@ -168,14 +170,12 @@ QString about_failures(const MetricSeries& series) {
   return {};
 }
 
-}  // namespace
-
-void fit_series(MetricSeries& series) {
+void fit_curve(MetricSeries& series) {
   const auto n = static_cast<int>(series.points.size()), fewest = static_cast<int>(judge::kFewestForCurve);
   series.curve.clear();
   series.fit.clear();
   if (n < fewest) {
-    series.fit = QObject::tr("A curve needs %1 finished attempts. %2 more.").arg(fewest).arg(fewest - n) + about_failures(series);
+    series.fit = QObject::tr("A curve needs %1 finished attempts. %2 more.").arg(fewest).arg(fewest - n);
     return;
   }
   std::vector<double> values;
@@ -192,8 +192,7 @@ void fit_series(MetricSeries& series) {
     series.fit = QObject::tr("No curve: %1 Median of the last %2: %3 (%4 to %5).")
                      .arg(QString::fromStdString(curve.why_not))
                      .arg(last.n)
-                     .arg(text(last.median), text(last.low), text(last.high)) +
-                 about_failures(series);
+                     .arg(text(last.median), text(last.low), text(last.high)) ;
     return;
   }
   for (int i = 0; i < n; ++i) series.curve += curve.at(i + 1);
@@ -203,12 +202,18 @@ void fit_series(MetricSeries& series) {
   const bool level = curve.low >= *least - span && curve.high <= *most + span;
   series.fit = QObject::tr("Learning curve: %1 at the first attempt, %2 at the latest").arg(text(curve.at(1)), text(curve.at(n)));
   if (!level) {
-    series.fit += QObject::tr("; a plateau cannot be estimated from these attempts yet.") + about_failures(series);
+    series.fit += QObject::tr("; a plateau cannot be estimated from these attempts yet.");
     return;
   }
   series.fit += QObject::tr(", towards %1 (95 %: %2 to %3).").arg(text(curve.a), text(curve.low), text(curve.high));
   if (std::isfinite(curve.half_way) && curve.half_way > 0 && curve.half_way < 1000)
     series.fit += QLatin1Char(' ') + QObject::tr("Half-way after %1 attempts.").arg(QLocale().toString(curve.half_way, 'f', 1));
+}
+
+}  // namespace
+
+void fit_series(MetricSeries& series) {
+  fit_curve(series);
   series.fit += about_failures(series);
 }
 

@@ -34,6 +34,8 @@ class AttemptsModel : public QAbstractTableModel {
 bool is_hand(const record::AttemptRow& attempt);
 /// An attempt that counts for its person: judged, not void, not of a recorded hand. Every count and every curve is of these.
 bool counts(const record::AttemptRow& attempt);
+/// Only an attempt that was passed has a score.
+bool has_score(const record::AttemptRow& attempt);
 
 /// One metric over the attempts, oldest first; what a chart draws.
 struct MetricPoint {

@@ -10,6 +10,7 @@
 #include "assembly/lesson_file.hpp"
 #include "assembly/lesson_text.hpp"
 #include "assembly/parts.hpp"
+#include "console/models/qt_text.hpp"
 
 namespace swage::console {
 
@@ -56,13 +57,12 @@ QString text_of(const Json& use, const char* key) {
 // in the order in which they are shown
 QVector<LessonPart> parts_of(const assembly::LessonFile& lesson) {
   using Kind = LessonPart::Kind;
-  const auto words = [](const std::string& text) { return QString::fromStdString(text); };
   QVector<LessonPart> out;
-  for (const assembly::LessonObject& o : lesson.objects) out += LessonPart{Kind::kObject, words(o.name), words(o.plugin), {}};
+  for (const assembly::LessonObject& o : lesson.objects) out += LessonPart{Kind::kObject, qt(o.name), qt(o.plugin), {}};
   for (const assembly::LessonCoupling& c : lesson.couplings)
-    out += LessonPart{Kind::kCoupling, words(c.name), words(c.plugin), {words(c.a), words(c.b)}};
+    out += LessonPart{Kind::kCoupling, qt(c.name), qt(c.plugin), {qt(c.a), qt(c.b)}};
   for (const assembly::LessonDevice& d : lesson.devices)
-    out += LessonPart{Kind::kDevice, words(d.name), words(d.choices.front().plugin), {}};
+    out += LessonPart{Kind::kDevice, qt(d.name), qt(d.choices.front().plugin), {}};
   return out;
 }
 

@@ -60,12 +60,6 @@ std::string with_files_in_full(const assembly::LessonFile& lesson, const QString
   return text.toStdString();
 }
 
-const base::Problem* first_error(const base::Problems& problems) {
-  for (const base::Problem& p : problems)
-    if (p.severity == base::Severity::kError) return &p;
-  return nullptr;
-}
-
 // A lesson that is based on another one is built from a text of both, whose lines are not the file's. The file itself, read where it
 // lies, fails the same way at its own lines; where it does not, no line is told.
 base::Problems where_the_file_has_it(const base::Problems& problems, const QString& file, const assembly::LessonFile& lesson,
@@ -83,6 +77,12 @@ base::Problems where_the_file_has_it(const base::Problems& problems, const QStri
 }
 
 }  // namespace
+
+const base::Problem* first_error(const base::Problems& problems) {
+  for (const base::Problem& p : problems)
+    if (p.severity == base::Severity::kError) return &p;
+  return nullptr;
+}
 
 QString problem_words(const base::Problems& problems, const QString& file) {
   QStringList words;

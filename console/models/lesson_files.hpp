@@ -32,6 +32,8 @@ struct Imported {
 /// Takes a lesson file in among one's own, once it could be built.
 Imported import_lesson(const QString& file, const ImportPlaces& places, const host::Catalogue& catalogue, const LessonBuilder& build);
 
+/// The first error of these; nullptr where there are but warnings and notes.
+const base::Problem* first_error(const base::Problems& problems);
 /// "lesson.json, line 7: The lesson has no object "tray"." Of several the first, and how many more.
 QString problem_words(const base::Problems& problems, const QString& file);
 

@@ -10,6 +10,8 @@
 #include <algorithm>
 
 #include "assembly/lesson_file.hpp"
+#include "console/models/lesson_files.hpp"
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/variant.hpp"
 
@@ -22,26 +24,24 @@ LessonEntry read_lesson(const QString& path) {
   assembly::LessonFile lesson;
   base::Problems problems;
   assembly::read_lesson_file(path.toStdString(), lesson, problems);
-  const auto words = [](const std::string& text) { return QString::fromStdString(text); };
-  const auto error = std::find_if(problems.begin(), problems.end(), [](const base::Problem& p) { return p.severity == base::Severity::kError; });
-  if (error != problems.end()) {
-    entry.problem = words(error->where + ": " + error->message);
+  if (const base::Problem* error = first_error(problems)) {
+    entry.problem = qt(error->where + ": " + error->message);
     const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text));
     entry.other = !json.isNull() && !json[QStringLiteral("format")].toString().startsWith(QLatin1String("swage-lesson"));
   }
   // its own translations, and those of the lesson that it is based on
-  for (const QString& file : {entry.path, words(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
-  entry.id = words(lesson.id);
-  if (!lesson.title.empty()) entry.title = words(lesson.title);
-  entry.summary = words(lesson.summary);
+  for (const QString& file : {entry.path, qt(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
+  entry.id = qt(lesson.id);
+  if (!lesson.title.empty()) entry.title = qt(lesson.title);
+  entry.summary = qt(lesson.summary);
   entry.mirror = lesson.mirror;
-  entry.goal = words(lesson.goal);
+  entry.goal = qt(lesson.goal);
   for (const assembly::LessonDevice& device : lesson.devices) {
     // an instrument without a name goes by the last word of its plugin's
     const assembly::DeviceChoice& first = device.choices.front();
-    if (entry.hands.isEmpty() && first.as.empty() && !first.plugin.empty()) entry.hands += words(first.plugin).section(QLatin1Char('.'), -1);
+    if (entry.hands.isEmpty() && first.as.empty() && !first.plugin.empty()) entry.hands += qt(first.plugin).section(QLatin1Char('.'), -1);
     for (const assembly::DeviceChoice& choice : device.choices)
-      if (const QString as = words(choice.as); !as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
+      if (const QString as = qt(choice.as); !as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
   }
   return entry;
 }

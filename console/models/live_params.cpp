@@ -7,6 +7,7 @@
 
 #include "assembly/lesson_file.hpp"
 #include "console/models/environment_params.hpp"
+#include "console/models/words.hpp"
 
 namespace swage::console {
 namespace {
@@ -66,13 +67,7 @@ double LiveParam::factor() const {
 }
 
 QString LiveParam::unit() const {
-  const std::string& u = param.display_unit.empty() ? param.unit : param.display_unit;
-  if (u == "1" || u == "deg") return u == "1" ? QString() : QStringLiteral("°");
-  // as people write it: "um" is a keyboard's
-  QString out = QString::fromStdString(u).replace(QLatin1Char('*'), QChar(0xb7));
-  out.replace(QLatin1String("m2"), QStringLiteral("m²")).replace(QLatin1String("m3"), QStringLiteral("m³"));
-  if (out.size() > 1 && out[0] == QLatin1Char('u')) out[0] = QChar(0xb5);
-  return out;
+  return unit_text(param.display_unit.empty() ? param.unit : param.display_unit);
 }
 
 double LiveParam::step() const {

@@ -18,15 +18,6 @@ class ValueWords {
   Q_DECLARE_TR_FUNCTIONS(words)
 };
 
-// "um2" -> "µm²"
-QString unit_text(std::string_view unit) {
-  if (unit == "yes/no") return {};
-  if (unit == "deg") return QStringLiteral("°");
-  QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-  if (text.startsWith(QLatin1String("um"))) text[0] = QChar(0xb5);
-  return text.replace(QLatin1String("m2"), QStringLiteral("m²")).replace(QLatin1Char('*'), QChar(0xb7));
-}
-
 // Counts have none, all else three digits that mean something. `small`: the unit is smaller than the usual one.
 int decimals_of(double shown, const QString& unit, bool small) {
   const double size = std::abs(shown);
@@ -46,6 +37,16 @@ QString human_id(const QString& id) {
   words.replace(QLatin1Char('.'), QLatin1Char(' ')).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!words.isEmpty()) words[0] = words[0].toUpper();
   return words;
+}
+
+QString unit_text(std::string_view unit) {
+  if (unit == "1" || unit == "yes/no") return {};
+  if (unit == "deg") return QStringLiteral("°");
+  QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+  if (text.size() > 1 && text[0] == QLatin1Char('u')) text[0] = QChar(0xb5);
+  return text.replace(QLatin1String("m2"), QStringLiteral("m²"))
+      .replace(QLatin1String("m3"), QStringLiteral("m³"))
+      .replace(QLatin1Char('*'), QChar(0xb7));
 }
 
 double display_factor(const QString& unit) { return base::usual_unit(unit.toStdString()).factor; }

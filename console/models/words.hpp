@@ -12,6 +12,8 @@ namespace swage::console {
 QString human_id(const QString& id);
 /// 0.0012 m -> "1.20 mm", 0.2 rad -> "11.5°", 3 of unit "1" -> "3"; "–" when it is not a number.
 QString quantity_text(double value, const QString& unit);
+/// A unit as people write it: "um2" -> "µm²", "deg" -> "°"; "" for a pure number.
+QString unit_text(std::string_view unit);
 /// "20" and "um" -> "20 µm": a unit of base/quantity.hpp after its number.
 QString with_unit(const QString& number, std::string_view unit);
 /// The factor and the unit in which a quantity is shown: m -> 1000 mm.

@@ -60,9 +60,9 @@ class AttemptPresenter : public QObject {
   void show_card(const snapshot::SceneCard& card, const Criteria& asked);
   /// A lesson that cannot run shows its title and task, and nothing of the lesson before.
   void show_no_scene(const QString& title, const Criteria& asked);
-  /// What is left of the last attempt is gone.
+  /// Clears list, clock and hold of the last attempt.
   void forget();
-  /// Before an attempt: nothing has happened, nothing has sounded.
+  /// Before an attempt: clears the list of events, advice and sounds.
   void clear();
   /// The attempt is about to begin: the guide is opened where one is wanted. `like`: the lesson as it is played, with its seed.
   /// Returns how the trainee sees the scene, for the head of the record.

@@ -18,12 +18,12 @@ using BandMatrix = toolkit::Band<SWAGE_BAND_REACH>;
 
 // relative: rounding of a factor of a thread that is 1e5 times stiffer along than across
 constexpr double kBandRounding = 1e-6;
-// m, of a change that is tried; so little that nothing breaks or turns by it
+// m, size of the change that is tried: so small that nothing breaks and rotations stay linear
 constexpr double kTriedChange = 1e-9;
-// relative to the change: vertices go by it, but for what a rotation does to them in second order
+// relative to the change: largest error of a displacement; rotations enter in second order
 constexpr double kGoesWithin = 1e-3;
 
-/// Asks until the matrix can be factored. Of what is held the reciprocal pivot is 0.
+/// Asks for a stiffer matrix until it can be factored. Held unknowns have the reciprocal pivot 0.
 std::string factor_band(BandAsk& ask, BandMatrix& A, Eigen::VectorXd& gradient) {
   for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
     A.set_zero();
@@ -45,7 +45,7 @@ std::string factor_band(BandAsk& ask, BandMatrix& A, Eigen::VectorXd& gradient) 
   return say::kBandNotDefinite();
 }
 
-/// v_free and W of its linear step are those of the solver.
+/// "" where the linear step of the band gives the v_free and W of the solver.
 std::string same_as_solver(const BandAsk& ask, BandMatrix& A, const Eigen::VectorXd& gradient) {
   const scene::ChainView chain(ask.world, ask.world.chain[ask.chain]);
   const Eigen::Index n = gradient.size(), rows = ask.all.v_free.size();
@@ -75,7 +75,7 @@ std::string same_as_solver(const BandAsk& ask, BandMatrix& A, const Eigen::Vecto
   return (v_free - ask.all.v_free).cwiseAbs().maxCoeff() <= kBandRounding * speed ? "" : say::kBandFree();
 }
 
-/// displace() with a change by chance: each vertex goes by it, and its velocity leads there.
+/// "" where displace() with a random change moves each vertex by it, and gives the velocity of that motion.
 std::string goes_by_change(BandAsk& ask, BandMatrix& A) {
   const scene::World saved = ask.world;
   const scene::ChainView before(saved, saved.chain[ask.chain]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device that sees (abi/sight.h), shown its scene as the engine shows it, and then a scene in which everything lies elsewhere. What
-// it makes of it is judged by its samples: a replay repeats those and has no eyes.
+// A device that sees (abi/sight.h) is shown its scene as the engine shows it, and then scenes with every body elsewhere. It is judged
+// by its samples, as a replay repeats these and shows no scene.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,7 +21,7 @@ using host::Finding;
 using host::Mark;
 
 constexpr uint64_t kSightSteps = 500;     // of its own scene
-constexpr uint64_t kLooks = 500; // looks at scenes in which everything lies elsewhere
+constexpr uint64_t kLooks = 500;          // of scenes with every body elsewhere
 
 /// "" or what is wrong with a sample of a device that is asked in the step.
 std::string sample_fault(const swage_sample& s, const swage_sample& last) {
@@ -71,7 +71,7 @@ class JudgedPort final : public step::DevicePort {
   uint64_t allocations_ = 0;
 };
 
-/// The scene with every body and mark up to ten of its lengths elsewhere and turned anyhow.
+/// The scene with every body and mark moved by up to ten lengths of the scene, and bodies turned, at random.
 class ShiftedScene {
  public:
   explicit ShiftedScene(const host::Rig& rig) : rig_(rig), world_(rig.world) {

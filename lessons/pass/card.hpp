@@ -90,7 +90,7 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"Drops, snatching, gripping too hard and a bent needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"Drops, snatching and gripping too hard cost points; with a needle that bends also bending it.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 /// Order of kCues.

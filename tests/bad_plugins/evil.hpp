@@ -4,6 +4,7 @@
 // would stop most of them.
 #pragma once
 
+#include <dlfcn.h>
 #include <swage/abi/plugin.h>
 
 #include <clocale>
@@ -19,6 +20,15 @@ namespace evil {
 struct Fault {
   const char *name, *does;
 };
+
+/// Name of the folder that the library with this address was loaded from: that of its bundle, which is the id of the fault.
+inline std::string bundle_of(const void* address) {
+  Dl_info info{};
+  dladdr(address, &info);
+  std::string path = info.dli_fname != nullptr ? info.dli_fname : "";
+  path.resize(path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
+  return path.substr(path.rfind('/') + 1);
+}
 
 inline void sleep_ms(long ms) {
   const timespec t{ms / 1000, ms % 1000 * 1'000'000};

@@ -3,7 +3,6 @@
 // One library of devices for the validator, whose id is the name of the folder that it lies in: org.example.bad.driver.<fault>. Tests
 // copy it. A fault whose name begins with "sight_" is one of a device that sees, and is asked in the step; the others are drivers
 // with a thread of their own. Each behaves for kGood exchanges, and its hardware is always there. Plain tables without the wrapper.
-#include <dlfcn.h>
 #include <swage/abi/calibration.h>
 #include <swage/abi/sight.h>
 
@@ -21,13 +20,7 @@ namespace {
 constexpr uint64_t kGood = 20;  // exchanges
 
 const std::string& id() {
-  static const std::string name = [] {
-    Dl_info info{};
-    dladdr(&swage_plugin_entry, &info);
-    std::string path = info.dli_fname != nullptr ? info.dli_fname : "";
-    path.resize(path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
-    return path.substr(path.rfind('/') + 1);
-  }();
+  static const std::string name = evil::bundle_of(&swage_plugin_entry);
   return name;
 }
 bool is(const char* fault) { return id().substr(id().rfind('.') + 1) == fault; }

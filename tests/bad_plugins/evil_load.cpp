@@ -2,7 +2,6 @@
 //
 // One library whose fault is the name of the folder that it lies in: "constructor_crashes", "init_loops", "factory_throws",
 // "descriptor_null", "deinit_exits". Tests copy it into folders of such names.
-#include <dlfcn.h>
 #include <swage/abi/plugin.h>
 
 #include "evil.hpp"
@@ -14,13 +13,7 @@ __attribute__((visibility("default"))) extern const swage_entry swage_plugin_ent
 namespace {
 
 const std::string& fault() {
-  static const std::string name = [] {
-    Dl_info info{};
-    dladdr(&swage_plugin_entry, &info);
-    std::string path = info.dli_fname != nullptr ? info.dli_fname : "";
-    path.resize(path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
-    return path.substr(path.rfind('/') + 1);
-  }();
+  static const std::string name = evil::bundle_of(&swage_plugin_entry);
   return name;
 }
 

@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "grip.hpp"
+#include "ode_grasp_step.hpp"
 
 namespace {
 
@@ -56,24 +56,10 @@ void assembly(benchmark::State& state) {
   }
 }
 
-/// ODE's exact solver with soft contacts holds a needle between two jaws: the yardstick.
 void ode_grasp_step(benchmark::State& state) {
-  using namespace swage::bench;
-  for (const Method& m : ode_methods()) {
-    if (m.name != "ODE exact, soft contacts") continue;
-    const Setup setup;
-    const auto engine = m.make(setup);
-    const Openings openings(m, setup.needle, 1e-6);
-    engine->set_gravity(Vec3::Zero());
-    openings.apply(*engine, Pose{}, true);
-    engine->set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
-    for (auto _ : state) {
-      openings.apply(*engine, Pose{}, false);
-      engine->step();
-    }
-    return;
-  }
-  state.SkipWithError("ODE is not installed");
+  std::optional<swage::bench::OdeGrasp> grasp = swage::bench::OdeGrasp::make();
+  if (!grasp) return state.SkipWithError("ODE is not installed");
+  for (auto _ : state) grasp->step();
 }
 
 BENCHMARK(ode_grasp_step)->Unit(benchmark::kMicrosecond);

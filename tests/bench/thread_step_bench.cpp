@@ -12,7 +12,7 @@
 
 #include "dynamics/axes.hpp"
 #include "dynamics/sparse_space.hpp"
-#include "grip.hpp"
+#include "ode_grasp_step.hpp"
 #include "held_thread.hpp"
 
 namespace {
@@ -87,24 +87,10 @@ void steps(benchmark::State& state, bench::Held how, double speed) {
   state.counters["not_converged"] = static_cast<double>(stats.health.not_converged);
 }
 
-/// ODE's exact solver with soft contacts holds a needle between two jaws: the yardstick.
 void ode_grasp_step(benchmark::State& state) {
-  using namespace swage::bench;
-  for (const Method& m : ode_methods()) {
-    if (m.name != "ODE exact, soft contacts") continue;
-    const Setup setup;
-    const auto engine = m.make(setup);
-    const Openings openings(m, setup.needle, 1e-6);
-    engine->set_gravity(bench::Vec3::Zero());
-    openings.apply(*engine, Pose{}, true);
-    engine->set_needle(grip_pose(setup.needle), bench::Vec3::Zero(), bench::Vec3::Zero());
-    for (auto _ : state) {
-      openings.apply(*engine, Pose{}, false);
-      engine->step();
-    }
-    return;
-  }
-  state.SkipWithError("ODE is not installed");
+  std::optional<swage::bench::OdeGrasp> grasp = swage::bench::OdeGrasp::make();
+  if (!grasp) return state.SkipWithError("ODE is not installed");
+  for (auto _ : state) grasp->step();
 }
 
 BENCHMARK(ode_grasp_step)->Unit(benchmark::kMicrosecond);
