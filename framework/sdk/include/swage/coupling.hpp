@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A coupling: what happens between two objects. It names the traits it needs on each side, never a plugin.
+// A coupling: the interaction of two objects. It names the traits it needs on each side, never a plugin.
 //
 //   class Grip final : public swage::Coupling<GripParams> {
 //    public:
@@ -31,7 +31,7 @@ class CouplingStep {
   /// The contacts of this step. In resolve() their law may be changed; in finish() their forces are known.
   std::span<swage_contact> contacts() const { return {raw_->contact, raw_->n_contact}; }
 
-  /// Something happened.
+  /// Reports that an event happened.
   void event(Event event, double value = 0) const { raw_->event(raw_, event, value); }
   void signal(Signal signal, double value) const {
     assert(signal < raw_->n_signal);
@@ -50,18 +50,18 @@ class CouplingStep {
   const swage_coupling_step* raw_;
 };
 
-/// Compliant links between the two objects: slide along an axis up to a limit, springs across it. A coupling inherits it beside
-/// Coupling; what a tie remembers (where it is at rest) is its own state.
+/// Compliant constraints between the two objects: a spring that slides beyond a limit along an axis, a spring across it. A coupling
+/// inherits it beside Coupling; the rest position of a tie is the coupling's own state.
 class Ties {
  public:
   virtual ~Ties() = default;
   /// After resolve(): writes at most out.size() ties, returns how many. [rt]
   virtual uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) SWAGE_RT = 0;
-  /// Before finish(): the same ties with their forces, and what each gave up. [rt]
+  /// Before finish(): the same ties with their forces and plastic slips. [rt]
   virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
 };
 
-/// Leaves torn places on the surface of object b; for the eye only.
+/// Torn regions on the surface of object b; for drawing only.
 class Tearing {
  public:
   virtual ~Tearing() = default;
@@ -94,7 +94,7 @@ class Coupling : public WithParams<P> {
     static_cast<void>(params);
     static_cast<void>(builder);
   }
-  /// Meets its two objects, which offer what was asked for; refuse() says why not. [main]
+  /// Receives the two objects, which offer the traits in needs_a and needs_b; refuse() rejects them. [main]
   virtual void bind(const Peer& a, const Peer& b) {
     static_cast<void>(a);
     static_cast<void>(b);

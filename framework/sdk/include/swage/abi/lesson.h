@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/lesson.h - a lesson looks and judges; it never pushes. The same code judges live and re-judges recordings.
+ * swage/abi/lesson.h - a lesson observes and judges; it applies no forces. The same code judges live and re-judges recordings.
  */
 #ifndef SWAGE_ABI_LESSON_H
 #define SWAGE_ABI_LESSON_H
@@ -71,7 +71,7 @@ typedef struct swage_verdict {
   uint32_t struct_size, reserved;
   void* host_data;
   void (*cue)(const struct swage_verdict*, uint32_t object, uint32_t cue);       /* [rt] SWAGE_NONE clears the object's cue */
-  void (*mark)(const struct swage_verdict*, uint32_t mark, uint32_t cue, const swage_vec3* p_W); /* [rt] cue NONE: plain */
+  void (*mark)(const struct swage_verdict*, uint32_t mark, uint32_t cue, const swage_vec3* p_W); /* [rt] cue SWAGE_NONE: none */
   void (*metric)(const struct swage_verdict*, uint32_t metric, double value);    /* [rt] */
   void (*event)(const struct swage_verdict*, uint32_t event, double value);      /* [rt] */
   void (*phase)(const struct swage_verdict*, uint32_t phase);                    /* [rt] */
@@ -87,8 +87,8 @@ typedef struct swage_lesson {
   uint64_t reserved;
 } swage_lesson;
 
-/* Host extension: what an attempt is for. A lesson that teaches tells of a limit in practice and goes on; in a test the limit
- * ends the attempt. An attempt that nobody called practice is judged as a test. */
+/* Host extension: what an attempt is for. In practice a lesson may report that a limit is exceeded and continue; in a test
+ * the limit ends the attempt. An attempt without a mode is judged as a test. */
 #define SWAGE_HOST_ATTEMPT "swage.host.attempt/1"
 #define SWAGE_ATTEMPT_TEST 0
 #define SWAGE_ATTEMPT_PRACTICE 1

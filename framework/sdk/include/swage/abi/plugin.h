@@ -52,7 +52,7 @@ typedef struct swage_live {
   swage_result (*change)(swage_instance*, uint32_t param, const swage_value*); /* [rt & active] checked by the host */
 } swage_live;
 
-/* Who a plugin is; static storage. */
+/* Description of a plugin; static storage. */
 typedef struct swage_descriptor {
   uint32_t struct_size;
   int32_t kind;              /* SWAGE_KIND_* */
