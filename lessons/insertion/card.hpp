@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the insertion lesson measures and signals: the one table behind its declarations, `swage describe` and insertion.md.
+// Metrics and cues of the insertion lesson: the one table behind its declarations, `swage describe` and insertion.md.
 // Codes M.. are those of the metric catalogue that the page names.
 #pragma once
 
@@ -150,7 +150,7 @@ inline constexpr swage_metric_info kMetrics[] = {
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-/// What they are called, and which are shown first.
+/// Titles of the metrics, and the order in which the first ones are shown.
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskTimeLabel,
     lessons::kTaskSuccessLabel,
@@ -219,7 +219,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Puncture the tissue within {tolerance} of the mark.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Drive {drive} of the needle into the tissue.", "task=insert", SWAGE_CRITERION_PASS, 0},

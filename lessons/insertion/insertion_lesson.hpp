@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.insertion: take a needle, put its point to a mark on a tissue and drive it in along its own curve. See
+// swage.lesson.insertion: grasp a needle, put its point to a mark on a tissue and drive it in along its own curve. See
 // insertion.md.
 #pragma once
 
@@ -169,17 +169,17 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void reset(std::span<double> state) override { as<Kept>(state) = {}; }
 
  private:
-  /// Private numbers: what the judge remembers, and where the mark is.
+  /// Private numbers: the state of the judge, and the marks.
   struct Kept {
     Memory memory;
     double drawn = 0;                                     // 0 or 1
     double target[3] = {0, 0, 0}, normal[3] = {0, 0, 1};  // m, unit; W
-    double exit[3] = {0, 0, 0};                           // m, W: where it should come out
+    double exit[3] = {0, 0, 0};                           // m, W: mark of the exit
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
     Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, depth, exit[3];
-    Signal wound_wide, exit_wound;  // which not every coupling tells
+    Signal wound_wide, exit_wound;  // not offered by every coupling
     Event entered, exited, passed, deflected;
   };
 

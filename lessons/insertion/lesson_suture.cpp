@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The thread of the lesson: what its couplings tell, the mark on it, and its measures.
+// The thread of the lesson: signals of its couplings, the mark on it, and its metrics.
 #include <algorithm>
 
 #include "common/sentences.hpp"
@@ -13,7 +13,7 @@ using lessons::index;
 
 namespace {
 
-/// Who in the scene has a signal, "" when nobody has.
+/// Name of the first instance with a signal, "" when there is none.
 std::string owner_of(const Scene& scene, std::string_view signal) {
   for (uint32_t i = 0; i < scene->n_signal; ++i)
     if (view(scene->signal[i].id) == signal) return std::string(view(scene->signal[i].owner));
@@ -59,7 +59,7 @@ void InsertionLesson::read_suture(const View& scene, Look& look) const {
   look.suture.loop_most = number(suture_.loop_most);
 }
 
-/// On the thread itself: what is wrong before what is right.
+/// Shows the cue of the thread; faults take precedence over the good loop.
 void InsertionLesson::say_suture(const Finding& finding, const Verdict& verdict) const {
   const Cue cue = finding.swage_held ? sign(Sign::kSwageHeld)
                   : finding.taut     ? sign(Sign::kTaut)
@@ -68,7 +68,7 @@ void InsertionLesson::say_suture(const Finding& finding, const Verdict& verdict)
   cue.valid() ? verdict.cue(thread_object_, cue) : verdict.clear_cue(thread_object_);
 }
 
-/// The mark on the thread: what is to be at the entry in the end.
+/// Moves the mark to the place of the thread that is to be at the entry in the end.
 void InsertionLesson::show_tail(const View& scene, const Kept& kept, const Verdict& verdict) const {
   const Step thread = scene.object(thread_object_);
   const auto law = thread_.law(thread);
@@ -91,7 +91,7 @@ void InsertionLesson::report_suture(const Memory& m, const Verdict& verdict) con
   tell(Measure::kLoopMost, m.suture.loop_most);
 }
 
-/// Points of several stitches, and of their thread.
+/// Reports the points deducted for several stitches and their thread.
 void InsertionLesson::report_running(const Points& lost, const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
   if (params_.stitches > 2) tell(Measure::kPointsEven, lost.even);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What becomes of the thread that is swaged to the needle: where the needleholder has the needle, how hard the thread is pulled, what it
-// does to the tissue, and how much of it is left as a tail. Header-only, pure, [rt].
+// The thread that is swaged to the needle: grasps at the swage, tension of the thread, damage to the tissue, and length of the tail and
+// of loops. Header-only, pure, [rt].
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace swage::lesson_insertion {
 
 struct SutureRules {
   bool there = false;             // the lesson names one
-  double swage_zone = 0.5e-3;     // m from the needle's blunt end that is not to be grasped
-  double tail = 0;                // m that is to be left at the entry; 0: the thread need not be drawn through
+  double swage_zone = 0.5e-3;     // m, from the needle's blunt end: not to be grasped
+  double tail = 0;                // m, required at the entry; 0: the thread need not be drawn through
   double tail_tolerance = 1e-3;   // m
-  double loop = 0;                // m that are to be left between a bite and the one before it; 0: likewise
+  double loop = 0;                // m, required length between a bite and the one before it; 0: likewise
   double loop_tolerance = 0.5e-3; // m
-  double tail_time = 0.5;         // s for which it must stay so
-  double tension = 0;             // N at the swage that careful hands do not exceed; 0: not asked
+  double tail_time = 0.5;         // s, for which tail and loop must keep their length
+  double tension = 0;             // N at the swage, limit; 0: not required
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct SutureLook {
   double tension = 0;                           // N, at the swage
   bool pulled_off = false, through = false;     // events: the thread came out of the needle; all of it went through the tissue
@@ -34,9 +34,9 @@ struct SutureState {
   double pull_s = 0;               // N s
   double tail = 0, cut = 0, back = 0;  // m
   double loop_least = 0, loop_most = 0;  // m
-  double drawn = 0;                // 1: it has been in the tissue
-  double right_s = 0;              // s for which tail and loop have had their length
-  double off = 0, lost = 0;        // 1: pulled off the needle; through, or its tail is too short
+  double drawn = 0;                // 1: the thread has been in the tissue
+  double right_s = 0;              // s, for which tail and loop have had their length
+  double off = 0, lost = 0;        // 1: pulled off the needle; 1: all through, or its tail is too short
 };
 
 struct SutureWatch {
@@ -63,19 +63,19 @@ struct SutureWatch {
     s.right_s = right ? s.right_s + dt : 0;
     return begins;
   }
-  /// Drawn through as far as is asked.
+  /// Whether the thread is drawn through as far as required.
   static bool drawn(const SutureRules& rules, const SutureState& s) noexcept {
     return (rules.tail <= 0 && rules.loop <= 0) || s.right_s >= rules.tail_time;
   }
-  /// How unlike the loops of a running suture are, of what is asked.
+  /// Range of the loops of a running suture over their required length.
   static double unlike_loops(const SutureRules& rules, const SutureState& s) noexcept {
     return rules.loop > 0 ? (s.loop_most - s.loop_least) / rules.loop : 0;
   }
-  /// How far the tension was exceeded, of what is allowed.
+  /// Excess of the peak tension over its limit, as a share of the limit.
   static double over_tension(const SutureRules& rules, const SutureState& s) noexcept {
     return rules.tension > 0 ? std::max(0.0, s.peak / rules.tension - 1) : 0;
   }
-  /// Of 100: 15 for each grasp at the swage.
+  /// Points deducted, of 100: 15 for each grasp at the swage.
   static double points(const SutureState& s) noexcept { return 15 * s.grasps; }
 };
 

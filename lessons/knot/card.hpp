@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson of the knot measures and signals: the one table behind its declarations, `swage describe` and knot.md.
+// Metrics and cues of the lesson of the knot: the one table behind its declarations, `swage describe` and knot.md.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTangled = 5;  // knot.kind of a thread that is knotted in another way
 
-/// Reads "2 -1 1". False where it is no word.
+/// Reads throws such as "2 -1 1". False for any other text.
 bool read_word(std::string_view text, Word& word) {
   word = {};
   while (true) {
@@ -202,7 +202,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   if (m.held_s > 0) report_held(m, verdict);
 }
 
-// What has no value before the thread was held is not told. Of the two grips that counts which is the harder one.
+// Metrics without a value before the thread was held are not reported. Of the two grips the one with more force counts.
 void KnotLesson::report_held(const Memory& m, const Verdict& verdict) const {
   const GripWatch& grip = judge_.grip();
   tell(verdict, Measure::kTension, judge_.pull().peak(m.pull));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.knot: throws tied on the two edges of a wound. See knot.md.
+// swage.lesson.knot: tie throws on the two edges of a wound. See knot.md.
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -83,7 +83,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   void reset(std::span<double> state) override { as<Memory>(state) = {}; }
 
  private:
-  /// Of one side of the wound.
+  /// Objects and signals of one side of the wound.
   struct Side {
     uint32_t tissue = kNone;
     Signal shift, state, tail, tension, cut;

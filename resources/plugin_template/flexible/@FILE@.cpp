@@ -11,7 +11,7 @@ using Step = swage::Step;
 
 namespace {
 constexpr int kIterations = 3;       // Newton iterations of a step without contacts
-constexpr double kMostStrain = 0.05;  // change of strain in a step up to which a pushed strand continues; above it, the strand stops for a step
+constexpr double kMostStrain = 0.05;  // change of strain in a step up to which a pushed strand continues; above it, it stops for a step
 }  // namespace
 
 // [main] Declares one flexible body, one chain on it, and the private numbers, of which the chain's come first.
