@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage attempts send: sends every finished attempt once to a Learning Record Store. The store is the queue: unsent statements wait for the
-// next time; a file of receipts lists those that have arrived.
+// swage attempts send: sends every finished attempt once to a Learning Record Store. The store is the queue: unsent statements follow
+// the next time; a file of receipts lists those that have arrived.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -129,7 +129,7 @@ inline constexpr auto kTemplateGone = "The template of a new {} is not installed
 inline constexpr auto kNotEmpty = "{} is there already and not empty. Choose another folder with --dir."_sentence;
 inline constexpr auto kNoPlace = "{} cannot be written. Choose a folder that you may write to with --dir."_sentence;
 
-// swage doctor: what it finds, and what to do about it
+// swage doctor: findings and remedies
 inline constexpr auto kWithoutWindow = "no display: lessons run without a window"_sentence;
 inline constexpr auto kStartDesktop = "Start it from a desktop, or under xvfb-run."_sentence;
 inline constexpr auto kWillBeMade = "{} will be made with the first attempt"_sentence;

@@ -18,7 +18,7 @@ using toolkit::vec;
 
 namespace {
 
-constexpr double kTangled = 5;  // knot.kind of a thread that is knotted in another way
+constexpr double kTangled = 5;  // knot.kind of a thread with any other knot
 
 /// Reads throws such as "2 -1 1". False for any other text.
 bool read_word(std::string_view text, Word& word) {

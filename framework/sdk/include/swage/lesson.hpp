@@ -13,7 +13,7 @@
 
 namespace swage {
 
-/// Everything in the scene that has a name. [main]
+/// Everything with a name in the scene. [main]
 class Scene {
  public:
   explicit Scene(const swage_scene_card* raw) : raw_(raw) {}
@@ -28,13 +28,13 @@ class Scene {
       if (view(raw_->object[i].name) == name) return i;
     return kNone;
   }
-  /// A signal by owner and id; not valid() when nobody offers it.
+  /// A signal by owner and id; not valid() when there is none.
   Signal find_signal(std::string_view owner, std::string_view id) const {
     for (uint32_t i = 0; i < raw_->n_signal; ++i)
       if (view(raw_->signal[i].owner) == owner && view(raw_->signal[i].id) == id) return Signal(i);
     return Signal();
   }
-  /// An event by owner and id; not valid() when nobody sends it.
+  /// An event by owner and id; not valid() when there is none.
   Event find_event(std::string_view owner, std::string_view id) const {
     for (uint32_t i = 0; i < raw_->n_event; ++i)
       if (view(raw_->event[i].owner) == owner && view(raw_->event[i].id) == id) return Event(i);

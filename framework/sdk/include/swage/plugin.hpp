@@ -193,7 +193,7 @@ T& self(swage_instance* instance) {
   return *detail::Holder<T>::of(instance).plugin;
 }
 
-/// What SWAGE_EXPORT exports; tests may make one without a library.
+/// Makes the entry that SWAGE_EXPORT exports; tests can use one without a library.
 template <class... Plugins>
 constexpr swage_entry make_entry() {
   using L = detail::Library<Plugins...>;

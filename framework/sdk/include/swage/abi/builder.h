@@ -17,9 +17,9 @@
 #define SWAGE_MOTION_FOLLOWS 1 /* takes the pose of the device that the lesson binds to the object; speed-limited, swept */
 #define SWAGE_MOTION_DYNAMIC 2 /* integrated by the host under forces and contacts */
 #define SWAGE_MOTION_HINGED 3  /* one angle about an axis fixed in its parent, with a force-limited drive (see hinge) */
-#define SWAGE_MOTION_FLEXIBLE 4    /* the object's own solver moves it: extension swage.object.solver/1 */
+#define SWAGE_MOTION_FLEXIBLE 4 /* moved by the object's own solver: extension swage.object.solver/1 */
 
-/* What declare() declares; each kind counts its own indices. */
+/* Kinds of declaration for declare(); each counts its own indices. */
 #define SWAGE_DECLARE_SIGNAL 1 /* a number per step, e.g. "grasp.force" in "N" */
 #define SWAGE_DECLARE_METRIC 2 /* LESSON: a result, e.g. "grasp.tries" in "1" */
 #define SWAGE_DECLARE_CUE 3    /* LESSON: a meaning, e.g. "grasp.good"; never a colour */
@@ -126,7 +126,7 @@ typedef struct swage_capacities {
   uint32_t bodies;   /* of the scene */
 } swage_capacities;
 
-/* Reads the capacities of the scene, and asks for more points. A table that the host offers, see swage_host.get_extension. */
+/* Reads the capacities of the scene and reserves contact points. A table that the host offers, see swage_host.get_extension. */
 #define SWAGE_HOST_CAPACITIES "swage.host.capacities/1"
 typedef struct swage_host_capacities {
   /* Reserves room for so many contact points of this object at once, up to 256. Returns the number that each of its bodies gets,

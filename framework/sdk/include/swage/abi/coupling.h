@@ -61,10 +61,10 @@ typedef struct swage_tie {
   double stiffness_across;   /* N/m */
   double stiffness_along;    /* N/m */
   double strength;           /* N, greatest force across the axis; HUGE_VAL: it never yields */
-  double forward_limit;         /* N, greatest force against a motion of a along +axis; HUGE_VAL: it never slides */
-  double backward_limit;          /* N, the same against a motion of a along -axis */
+  double forward_limit;      /* N, greatest force against a motion of a along +axis; HUGE_VAL: it never slides */
+  double backward_limit;     /* N, the same against a motion of a along -axis */
   swage_vec3 f_a_W;          /* N on a; written by the host before on_solved() */
-  swage_vec3 plastic_slip_W;         /* m, plastic part of s: slip along the axis, yield across it; same timing */
+  swage_vec3 plastic_slip_W; /* m, plastic part of s: slip along the axis, yield across it; same timing */
 } swage_tie;
 
 /* Offered by a coupling with ties; their rest positions are its own state. Order: resolve, ties, the solve, on_solved, finish. */
@@ -91,9 +91,9 @@ typedef struct swage_tears {
 /* Direction, depth, area and content of each torn region. */
 #define SWAGE_EXT_WOUNDS "swage.coupling.wounds/1"
 typedef struct swage_wound {
-  swage_vec3 p_W;      /* m, centre of the object that tore it, in the surface, now or last; a position as in swage_tear */
+  swage_vec3 p_W;      /* m, centre of the section of the object that tore it, now or last; a position as in swage_tear */
   swage_vec3 inward_W; /* unit, direction of the opening from p_W into b */
-  double depth;        /* m, along inward_W, to which b has been opened */
+  double depth;        /* m, to which b has been opened along inward_W */
   double area;         /* m2, of the region */
   uint32_t wound;      /* as in swage_tear */
   uint32_t filled;     /* 1: an object is in it, 0: it is empty */

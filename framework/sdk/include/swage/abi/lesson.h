@@ -7,7 +7,7 @@
 
 #include "object.h"
 
-/* What bind() sees: everything with a name in the scene, in the order of the lesson file. Static while bound. */
+/* Scene card for bind(): everything with a name in the scene, in the order of the lesson file. Static while bound. */
 typedef struct swage_scene_object {
   swage_str name, plugin;
   uint32_t first_body, n_body;         /* into swage_view.X_WB */
@@ -35,7 +35,7 @@ typedef struct swage_view_event {
   double value;
 } swage_view_event;
 
-/* What observe() sees. */
+/* The scene in observe(), after a step. */
 typedef struct swage_view {
   uint32_t struct_size, n_body, n_particle, n_signal;
   uint64_t step;
@@ -64,7 +64,7 @@ typedef struct swage_lesson_binder {
   uint32_t struct_size, reserved;
   void* host_data;
   uint32_t (*mark)(struct swage_lesson_binder*, const swage_mark*); /* [main] */
-  void (*error)(struct swage_lesson_binder*, const char* message);  /* [main] e.g. a signal that nobody offers */
+  void (*error)(struct swage_lesson_binder*, const char* message);  /* [main] e.g. a signal that no instance offers */
 } swage_lesson_binder;
 
 typedef struct swage_verdict {

@@ -67,7 +67,7 @@ typedef struct swage_contact_point {
 /* Mechanics of flexible bodies. Per step: advance, then mobility for all contact points at once, then apply_impulses. advance
  * makes the whole free motion: without contacts and ties its poses are final and the other two are not called. Contacts are
  * found on the poses that advance wrote. reset comes before the first step, with the flexible bodies at their start poses.
- * mobility returns v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
+ * mobility returns the velocities v = v_free + W j under impulses j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
  * stacked xyz. mobility may be called again in a step, for more points: only apply_impulses changes the motion. */
 #define SWAGE_EXT_SOLVER "swage.object.solver/1"
 typedef struct swage_solver {

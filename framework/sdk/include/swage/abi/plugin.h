@@ -23,7 +23,7 @@
 
 typedef struct swage_builder swage_builder; /* builder.h */
 
-/* What the host offers to every instance. Always complete; extras come through get_extension. */
+/* Functions of the host for every instance. Always complete; extensions come through get_extension. */
 typedef struct swage_host swage_host;
 struct swage_host {
   uint32_t struct_size, abi_major, abi_minor, reserved;

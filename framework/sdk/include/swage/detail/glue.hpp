@@ -236,7 +236,7 @@ swage_instance* create(const swage_host* host) noexcept {
     holder->raw = {holder.get(), E::configure, E::activate, E::deactivate, E::destroy, E::get_extension};
     holder->host = host;
     holder->name = T::id;
-    Access::attach(holder->plugin.emplace(), host, holder->name);  // extensions may be asked for from now on
+    Access::attach(holder->plugin.emplace(), host, holder->name);  // extensions can be queried from now on
     return &holder.release()->raw;
   } catch (...) {
     return nullptr;
