@@ -67,8 +67,8 @@ typedef struct swage_contact_point {
 /* Mechanics of flexible bodies. Per step: advance, then mobility for all contact points at once, then apply_impulses. advance
  * makes the whole free motion: without contacts and ties its poses are final and the other two are not called. Contacts are
  * found on the poses that advance wrote. reset comes before the first step, with the flexible bodies at their start poses.
- * mobility returns the velocities v = v_free + W j under impulses j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
- * stacked xyz. mobility may be called again in a step, for more points: only apply_impulses changes the motion. */
+ * mobility returns v_free and W of the velocities v = v_free + W j under impulses j. W is symmetric, positive semi-definite, 3n x 3n
+ * row-major [m/s per N s], points stacked xyz. It may be called again in a step, for more points: only apply_impulses counts. */
 #define SWAGE_EXT_SOLVER "swage.object.solver/1"
 typedef struct swage_solver {
   swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write flexible poses and twists */
