@@ -689,7 +689,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Keine Versuche von Experten, an denen sich diese Grenzen prüfen ließen.</translation>
     </message>
     <message>
-        <source>%1 of %2 expert attempts meet all %3 limits together.</source>
+        <source>%1 of %2 expert attempts pass and meet all %3 limits together.</source>
         <translation>%1 von %2 Expertenversuchen erfüllen alle %3 Grenzen zusammen.</translation>
     </message>
     <message>

@@ -2,6 +2,7 @@
 #include "console/widgets/parts.hpp"
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QPainter>
 #include <QStyle>
 
@@ -64,6 +65,24 @@ QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent
   line->setClearButtonEnabled(true);
   for (QAbstractButton* clear : line->findChildren<QAbstractButton*>()) clear->setAccessibleName(QObject::tr("Clear the search"));
   return line;
+}
+
+QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent) {
+  constexpr int kRow_px = 28;
+  auto* table = new QTableView(parent);
+  table->setObjectName(name);
+  table->setAccessibleName(title);
+  table->setModel(model);
+  table->setShowGrid(false);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(kRow_px);
+  table->horizontalHeader()->setHighlightSections(false);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  return table;
 }
 
 QScrollArea* make_scroll(QWidget* parent) {

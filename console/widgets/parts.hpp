@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "console/cues/cue_theme.hpp"
@@ -35,6 +36,9 @@ void give_key(QPushButton* button, const QString& shortcut);
 
 /// A line to type words of a search into, with a button that clears it.
 QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent);
+
+/// A table of which whole rows are chosen, one at a time, and nothing is edited. The keyboard leaves it with Tab, and Enter activates a row.
+QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent);
 
 /// A frameless area that scrolls up and down where its content is taller than the room for it.
 QScrollArea* make_scroll(QWidget* parent);
