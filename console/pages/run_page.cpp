@@ -220,6 +220,8 @@ void RunPage::preview() {
     presenter_->set_next_look(CameraPreset::kOrbit);  // a view that suits one lesson may hide the work of another
   }
   shown_lesson_ = setup_->lesson();
+  const QModelIndex chosen = lessons_->index(lessons_->row_of(shown_lesson_));
+  actions_->set_reset(chosen.data(LessonsModel::kResetLabel).toString(), chosen.data(LessonsModel::kResetTip).toString());
   asked_ = read_criteria(shown_lesson_.toStdString(), catalogue());
   setup_->set_show(asked_.show);
   options_.set_show(asked_.show);

@@ -690,7 +690,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>%1 of %2 expert attempts pass and meet all %3 limits together.</source>
-        <translation>%1 von %2 Expertenversuchen erfüllen alle %3 Grenzen zusammen.</translation>
+        <translation>%1 von %2 Expertenversuchen sind bestanden und halten alle %3 Grenzen zusammen ein.</translation>
     </message>
     <message>
         <source>The hardest alone is %1: %2.</source>

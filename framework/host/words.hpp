@@ -42,7 +42,7 @@ std::string_view without_value(std::string_view doc);
 std::vector<std::string> words_of(const PluginInfo& plugin);
 /// Of all plugins of a scene: signals, events, phases and metrics; not the host's own events, which the program translates.
 std::vector<std::string> words_of(const snapshot::SceneCard& card);
-/// Of a complete lesson file: title, task, goal, the names of its objects, couplings, devices and hands.
+/// Of a complete lesson file: title, task, goal, words of its reset, the names of its objects, couplings, devices and hands.
 std::vector<std::string> words_of(const nlohmann::ordered_json& lesson);
 
 }  // namespace swage::host

@@ -185,9 +185,9 @@ TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
   EXPECT_FALSE(suggest_limit(y, experts, SWAGE_BETTER_NONE));
   EXPECT_TRUE(expert_attempts(all, {}, "l").empty()) << "nobody is an expert by chance";
   // what was not passed meets nothing in a course, and is no measure for others
-  all[3].outcome = "failed";
-  const auto nine = expert_attempts(all, {"e1", "e2"}, "l");
-  EXPECT_TRUE(together_words({y, y}, nine).contains("5 of 10")) << together_words({y, y}, nine).toStdString();
+  all[4].outcome = "failed";
+  const auto ten = expert_attempts(all, {"e1", "e2"}, "l");
+  EXPECT_TRUE(together_words({y, y}, ten).contains("5 of 10")) << together_words({y, y}, ten).toStdString();
   for (record::AttemptRow& a : all) a.outcome = a.metrics[0].value < 5 ? "failed" : "passed";
   judge::Limit least;
   least.metric = "x";

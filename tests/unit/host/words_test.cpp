@@ -114,9 +114,9 @@ TEST(Words, OfASceneAndOfALessonAreWhatPeopleSee) {
   card.script.phases = {{"lesson", "hold", "1", "Hold it."}};
   card.script.metrics = {{"lesson", "time.task", "s", "The time."}};
   EXPECT_THAT(words_of(card), ElementsAre("grasp.force", "The grip.", "grasp.taken", "Both jaws hold it", "Hold it.", "time.task", "The time."));
-  const auto lesson = nlohmann::ordered_json::parse(R"({ "title": "A lesson", "objects": [ { "name": "needle" } ],
+  const auto lesson = nlohmann::ordered_json::parse(R"({ "title": "A lesson", "reset": { "label": "Lay anew", "tip": "Undoes it" }, "objects": [ { "name": "needle" } ],
     "devices": [ { "name": "hand", "as": "mouse", "or": [ { "as": "expert" } ] } ], "couplings": [ { "plugin": "x" } ] })");
-  EXPECT_THAT(words_of(lesson), ElementsAre("A lesson", "needle", "hand", "mouse", "expert"));
+  EXPECT_THAT(words_of(lesson), ElementsAre("A lesson", "Lay anew", "Undoes it", "needle", "hand", "mouse", "expert"));
   EXPECT_THAT(words_of(nlohmann::ordered_json::array()), IsEmpty());
 }
 
