@@ -118,6 +118,7 @@ std::string_view without_value(std::string_view doc) { return doc.substr(0, doc.
 
 std::vector<std::string> words_of(const PluginInfo& plugin) {
   List list;
+  list.add(plugin.name);
   for (const Param& p : plugin.params) {
     if (p.hidden() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
     list.add(p.label.empty() ? p.id : p.label);

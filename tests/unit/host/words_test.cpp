@@ -83,6 +83,7 @@ TEST(Words, LieInFilesOfTheirLanguageInTheOrderOfTheirNames) {
 
 TEST(Words, OfAPluginAreWhatPeopleSee) {
   PluginInfo plugin;
+  plugin.name = "Bent needle";
   Param shown, hidden, file_name;
   shown.type = SWAGE_PARAM_CHOICE;
   shown.id = "arc";
@@ -103,7 +104,7 @@ TEST(Words, OfAPluginAreWhatPeopleSee) {
   plugin.metrics = {titled, plain};
   plugin.cues = {{"grasp.good", "Named by a theme.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_NEUTRAL},
                  {"clip.lost", "Shown by its id's words.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_BAD}};
-  EXPECT_THAT(words_of(plugin), ElementsAre("Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
+  EXPECT_THAT(words_of(plugin), ElementsAre("Bent needle", "Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
                                             "Greatest force.", "x.y", "clip.lost"));
 }
 
