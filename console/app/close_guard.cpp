@@ -27,7 +27,7 @@ bool CloseGuard::ask() {
   if (ran) control->toggle_pause();
   const QString what = control->attempt_id().empty() ? tr("A lesson is running. Closing the window stops it.")
                                                      : tr("A lesson is running. Closing the window stops it; the attempt is kept as stopped.");
-  QMessageBox box(QMessageBox::Question, tr("Close Swage?"), what, {}, window_);
+  QMessageBox box(QMessageBox::NoIcon, tr("Close Swage?"), what, {}, window_);
   box.setObjectName(QStringLiteral("stop_and_close"));
   const QPushButton* close = box.addButton(tr("Stop and close"), QMessageBox::AcceptRole);
   QPushButton* stay = box.addButton(tr("Go on"), QMessageBox::RejectRole);

@@ -7,11 +7,6 @@
 #include "record/identity.hpp"
 
 namespace swage::console {
-namespace {
-
-using Kind = record::StationMessage::Kind;
-
-}  // namespace
 
 StationMessages::StationMessages(const WindowPages* pages, const SharedModels& models, LessonRequests* lessons, MessageStrip* strip,
                                  TraineePlace* trainee)
@@ -40,14 +35,14 @@ void StationMessages::start(StationsOpener opener, const QString& name) {
 void StationMessages::show() {
   const std::vector<record::StationMessage> all = models_.stations->inbox();
   const auto missing = std::find_if(all.begin(), all.end(), [this](const record::StationMessage& m) {
-    return m.kind == Kind::kLesson && models_.lessons->row_of(QString::fromStdString(m.body)) < 0;
+    return m.kind == StationLink::Kind::kLesson && models_.lessons->row_of(QString::fromStdString(m.body)) < 0;
   });
   if (missing != all.end()) return models_.stations->answer(missing->id, QStringLiteral("missing"));  // which comes back here
   strip_->set_messages(all);
 }
 
 void StationMessages::answer(const record::StationMessage& message, bool accepted) {
-  const bool lesson = message.kind == Kind::kLesson;
+  const bool lesson = message.kind == StationLink::Kind::kLesson;
   if (lesson && accepted) {
     lessons_->select(QString::fromStdString(message.body));
     pages_->all()->go(QStringLiteral("run"));

@@ -257,7 +257,7 @@ void RunPage::start_unrecorded() {
 bool RunPage::agree_on_person() {
   if (!setup_->person_is_new()) return true;
   const QString name = setup_->person();
-  QMessageBox ask(QMessageBox::Question, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
+  QMessageBox ask(QMessageBox::NoIcon, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
   ask.setObjectName(QStringLiteral("new_trainee"));
   const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
   ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));

@@ -9,7 +9,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLeft_px = 30, kTop_px = 20, kBottom_px = 16;  // room for numbers, title and times
+constexpr double kTraceLeft_px = 30, kTraceTop_px = 20, kTraceBottom_px = 16;  // room for numbers, title and times
 
 }  // namespace
 
@@ -84,7 +84,7 @@ void TracePlot::paintEvent(QPaintEvent*) {
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.85);
   p.setFont(small);
-  const QRectF area(kLeft_px, kTop_px, width() - kLeft_px - 2, height() - kTop_px - kBottom_px);
+  const QRectF area(kTraceLeft_px, kTraceTop_px, width() - kTraceLeft_px - 2, height() - kTraceTop_px - kTraceBottom_px);
   paint_axes(p, area);
   if (!samples_.empty()) paint_samples(p, area);
 }
@@ -105,7 +105,7 @@ void TracePlot::paint_axes(QPainter& p, const QRectF& area) const {
     p.setPen(QPen(theme_["grid"], 1));
     line_at(v);
     p.setPen(theme_["muted"]);
-    p.drawText(QRectF(0, y_of(v, area) - 8, kLeft_px - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
+    p.drawText(QRectF(0, y_of(v, area) - 8, kTraceLeft_px - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }
   p.drawText(QRectF(area.left(), area.bottom() + 1, 60, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("−10 s"));
