@@ -96,7 +96,7 @@ void MainWindow::fill_top_bar() {
   QWidget* bar = pages_->all()->bar_widget();
   row->addStretch(1);
   auto* trainee =
-      make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
+      make_keyed_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
   connect(trainee, &QPushButton::clicked, trainee_.get(), &TraineePlace::toggle);
   row->addWidget(trainee);
@@ -105,8 +105,8 @@ void MainWindow::fill_top_bar() {
   eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
   connect(eyes, &QPushButton::clicked, trainee_.get(), &TraineePlace::show_settings);
   row->addWidget(eyes);
-  row->addSpacing(8);
-  auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
+  row->addSpacing(4);
+  auto* help = make_keyed_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
   row->addWidget(help);
 }

@@ -9,11 +9,11 @@ namespace swage::console {
 
 ActionBar::ActionBar(RunControl* control, QWidget* parent)
     : QWidget(parent),
-      pause_(make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), this)),
-      reset_(make_button({}, QStringLiteral("F7"), QStringLiteral("reset"), this)),
-      mark_(make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), this)),
-      stop_(make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), this)),
-      guide_(make_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), this)) {
+      pause_(make_keyed_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), this)),
+      reset_(make_keyed_button({}, QStringLiteral("F7"), QStringLiteral("reset"), this)),
+      mark_(make_keyed_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), this)),
+      stop_(make_keyed_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), this)),
+      guide_(make_keyed_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   set_reset({}, {});

@@ -2518,7 +2518,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Trainee view</source>
-        <translation>Ansicht des Trainees</translation>
+        <translation>Trainee</translation>
     </message>
     <message>
         <source>The scene for two eyes in a window of its own (F9)</source>
@@ -4378,7 +4378,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>An attempt runs, or no lesson is chosen on the Run page.</source>
-        <translation>Ein Versuch läuft, oder auf der Seite Ausführen ist keine Lektion gewählt.</translation>
+        <translation>Ein Versuch läuft, oder auf der Seite Üben ist keine Lektion gewählt.</translation>
     </message>
     <message>
         <source> Nothing is kept.</source>
@@ -5120,7 +5120,7 @@ Alle 2 s wird es wieder versucht.</translation>
     <name>swage::console::WindowPages</name>
     <message>
         <source>Run</source>
-        <translation>Ausführen</translation>
+        <translation>Üben</translation>
     </message>
     <message>
         <source>What is happening now?</source>

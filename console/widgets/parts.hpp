@@ -31,6 +31,19 @@ QString key_text(const QString& shortcut);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 
+/// A button whose key stands behind or below its words only where there is room for it; its tip tells the key anyway.
+class KeyedButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+  QString words() const;  // without the key
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+/// The same as make_button().
+KeyedButton* make_keyed_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
 /// Gives a button a shortcut, and its tip (its words where it has none) the name of the key. Main thread.
 void give_key(QPushButton* button, const QString& shortcut);
 

@@ -23,6 +23,7 @@
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/parts_panel.hpp"
+#include "console/widgets/parts.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -170,6 +171,31 @@ TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
   }
   EXPECT_GT(seen, 80);
   EXPECT_EQ(child<QPushButton>("page_people")->text(), "Personen");
+}
+
+// As the English window does (FirstSight.ASmallScreenHasRoomForEverything): 960x540 is 1920x1080 at 200 %.
+TEST_F(GermanWindow, FitsSmallScreens) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  for (const QSize& size : {QSize(1280, 800), QSize(1024, 768), QSize(960, 540)}) {
+    EXPECT_TRUE(eventually([&] {
+      window->resize(size);
+      return window->size() == size;
+    })) << window->width() << " x " << window->height();
+    for (const char* name : {"start", "pause", "reset", "mark", "stop", "guide", "trainee_button", "help_button"}) {
+      const auto* button = child<QPushButton>(name);
+      const QRect at(button->mapTo(window.get(), QPoint()), button->size());
+      EXPECT_TRUE(window->rect().contains(at)) << name << " at " << size.width();
+      const auto* keyed = dynamic_cast<const console::KeyedButton*>(button);
+      if (keyed) {
+        EXPECT_LE(button->fontMetrics().horizontalAdvance(keyed->words()), button->width()) << name << " at " << size.width();
+      }
+    }
+  }
+  for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
+    window->show_page(one.id);
+    EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();
+  }
 }
 
 // The insertion of a hanging needle has the most cues of all lessons without a thread, and the longest words.
