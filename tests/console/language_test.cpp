@@ -319,7 +319,7 @@ TEST(GermanWords, NameThePartsOfALesson) {
   ASSERT_TRUE(console::use_language(QStringLiteral("de")));
   for (const QString& folder : {bundle, dir.filePath(QStringLiteral("lesson"))}) console::learn_words(folder);
   console::LessonDraft draft({file, "Clip", "", "", {}}, dir.filePath(QStringLiteral("draft.json")));
-  const console::PartsPanel parts(&draft, &catalogue);
+  const console::PartsPanel parts(&draft, &catalogue, nullptr);
   EXPECT_EQ(parts.findChild<QListWidget*>("parts")->item(0)->text(), "Linke Klemme: Gefäßklemme");
   const console::PartDialog add(console::LessonPart::Kind::kObject, draft, catalogue, nullptr);
   const auto* plugin = add.findChild<QComboBox*>("part_plugin");
