@@ -192,6 +192,12 @@ TEST_F(GermanWindow, FitsSmallScreens) {
       }
     }
   }
+  // nothing in the column of the lessons is cut where it is slim
+  const auto* setup = page()->setup();
+  for (const char* name : {"make_variant", "person", "device", "demo"}) {
+    const auto* w = child<QWidget>(name);
+    EXPECT_LT(w->mapTo(setup, QPoint(w->width(), 0)).x(), setup->width()) << name;
+  }
   for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
     window->show_page(one.id);
     EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();
