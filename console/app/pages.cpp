@@ -21,7 +21,7 @@ Pages::Pages(QWidget* parent) : QWidget(parent), bar_frame_(new QFrame(this)), s
   auto* name = new QLabel(QStringLiteral("Swage"), bar_frame_);
   name->setProperty("brand", true);
   bar_->addWidget(name);
-  bar_->addSpacing(14);
+  bar_->addSpacing(10);
   column->addWidget(bar_frame_);
   column->addWidget(stack_, 1);
 }

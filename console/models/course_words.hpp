@@ -16,9 +16,9 @@ namespace swage::console {
 QString rule_words(const judge::PassRule& rule);
 /// What the rule does with a trainee who succeeds 5, 7 and 9 times in 10, simulated. Takes about a tenth of a second.
 QStringList rule_odds(const judge::PassRule& rule);
-/// How many expert attempts meet all limits together, and which limit costs most of them. "" without limits.
+/// How many expert attempts were passed and meet all limits together, and which limit costs most of them. "" without limits.
 QString together_words(const std::vector<judge::Limit>& limits, const std::vector<const record::AttemptRow*>& experts);
-/// The limit that experts' values suggest: all but the worst tenth of them keep it. Nothing without values or a direction.
+/// The limit that the values of experts' passed attempts suggest: all but the worst tenth of them keep it. Nothing without values or a direction.
 bool suggest_limit(judge::Limit& limit, const std::vector<const record::AttemptRow*>& experts, int32_t better);
 
 }  // namespace swage::console

@@ -36,6 +36,8 @@ LessonEntry read_lesson(const QString& path) {
   entry.summary = qt(lesson.summary);
   entry.mirror = lesson.mirror;
   entry.goal = qt(lesson.goal);
+  entry.reset_label = qt(lesson.reset_label);
+  entry.reset_tip = qt(lesson.reset_tip);
   for (const assembly::LessonDevice& device : lesson.devices) {
     // an instrument without a name goes by the last word of its plugin's
     const assembly::DeviceChoice& first = device.choices.front();
@@ -137,6 +139,10 @@ QVariant LessonsModel::data(const QModelIndex& index, int role) const {
       return said(e.summary);
     case kGoal:
       return said(e.goal);
+    case kResetLabel:
+      return said(e.reset_label);
+    case kResetTip:
+      return said(e.reset_tip);
     case kMirror:
       return e.mirror;
     case kHands:

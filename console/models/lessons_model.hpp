@@ -11,6 +11,7 @@ namespace swage::console {
 /// What the list says about one lesson file.
 struct LessonEntry {  // in the words of the file
   QString path, id, title, summary, goal;
+  QString reset_label, reset_tip;  // of the button that puts the work back; "": the program's own
   QStringList hands;    // the names ("as") under which its devices can be chosen, first choice first
   bool mirror = false;  // made for the left hand
   QString problem;      // what is wrong with it first, file and line; "" for a lesson that reads well
@@ -29,7 +30,7 @@ class LessonsModel : public QAbstractListModel {
   Q_OBJECT
  public:
   /// Display role, kSummary and kGoal are in the language of the window; kTitle is as the file says it, for what is kept.
-  enum Role { kPath = Qt::UserRole, kId, kTitle, kSummary, kGoal, kHands, kMirror, kProblem };
+  enum Role { kPath = Qt::UserRole, kId, kTitle, kSummary, kGoal, kHands, kMirror, kProblem, kResetLabel, kResetTip };
 
   using QAbstractListModel::QAbstractListModel;
   void set_folders(const QStringList& folders);

@@ -22,7 +22,7 @@ using ExpertFinder = std::function<Experts(const std::string& lesson_id, const Q
 
 /// A school calls the group of those whose values are the measure so.
 bool is_expert_group(const QString& name);
-/// Judged attempts at a lesson by the people in `expert_ids`; where none of them did it, by the recorded expert hand.
+/// Judged and sound attempts at a lesson by the people in `expert_ids`; where none of them did it, by the recorded expert hand.
 std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record::AttemptRow>& all,
                                                        const std::vector<std::string>& expert_ids, const std::string& lesson_id);
 /// The same out of a store; nothing of anybody else is read with its metrics.
@@ -32,7 +32,7 @@ std::vector<record::AttemptRow> read_expert_attempts(record::Store& store, const
 Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector<std::string>& expert_ids,
                    const std::string& lesson_id, const QString& metric);
 
-/// The value of a metric of an attempt, "score" and "time", too; NaN where it has none.
+/// The value of a metric of an attempt, "score" and "time", too; NaN where it has none, as an attempt that was not passed has no score.
 double metric_value(const record::AttemptRow& attempt, const QString& metric);
 
 struct MetricBar {

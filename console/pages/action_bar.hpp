@@ -16,6 +16,8 @@ class ActionBar : public QWidget {
   /// `control`: takes what the buttons say; outlives the bar.
   explicit ActionBar(RunControl* control, QWidget* parent = nullptr);
   void set_running(bool running, bool paused);
+  /// What the button that puts the work back says: a lesson's words; "" for the program's own.
+  void set_reset(const QString& label, const QString& tip);
   /// Five buttons fit below a narrow picture when each has its key on a second line.
   void set_narrow(bool narrow);
   bool guide_on() const { return guide_->isChecked(); }

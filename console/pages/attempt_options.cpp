@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 
 void AttemptOptions::set_base(const session::Options& base) {
@@ -22,7 +24,7 @@ bool AttemptOptions::set_binding(const Binding& binding) {
 QString AttemptOptions::instrument_title() const {
   const auto name = [&](const std::string& id) {
     const host::PluginInfo* plugin = catalogue_.find(id);
-    return QString::fromStdString(plugin != nullptr ? plugin->name : id);
+    return plugin != nullptr ? said(plugin->name, plugin->bundle_dir) : QString::fromStdString(id);
   };
   QString title;
   if (binding_.any()) title = name(binding_.pose);

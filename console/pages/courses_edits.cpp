@@ -124,12 +124,22 @@ void CoursesPage::show_course() {
   show_step();
 }
 
+// Why a lesson of the course cannot be done at this station; "" where it can.
+QString CoursesPage::fault_of(const record::CourseStep& s) const {
+  const int row = lessons_->row_of(QString::fromStdString(s.lesson_id));
+  if (row < 0) return tr("▲ This lesson is not installed here: nobody can do it at this station.");
+  const QString& problem = lessons_->at(row).problem;
+  return problem.isEmpty() ? QString() : tr("▲ The file of this lesson is faulty: nobody can do it. %1").arg(problem);
+}
+
 void CoursesPage::show_step() {
   const record::CourseStep* s = step();
   step_stack_->setCurrentIndex(s ? 0 : 1);
   if (!s) return;
   const bool before = std::exchange(filling_, true);
   step_title_->setText(said(s->title.empty() ? s->lesson_id : s->title));
+  step_fault_->setText(fault_of(*s));
+  step_fault_->setVisible(!step_fault_->text().isEmpty());
   open_->setChecked(s->is_open);
   const bool streak = s->rule.kind == judge::PassRule::Kind::kStreak;
   kind_->setCurrentIndex(streak ? 0 : 1);

@@ -147,6 +147,11 @@ QWidget* CoursesPage::make_step() {
   step_title_->setProperty("big", true);
   step_title_->setWordWrap(true);
   column->addWidget(step_title_);
+  step_fault_ = new QLabel(box);
+  step_fault_->setObjectName(QStringLiteral("step_fault"));
+  step_fault_->setWordWrap(true);
+  step_fault_->hide();
+  column->addWidget(step_fault_);
   open_ = new QCheckBox(tr("Open at any time, whatever the order"), box);
   open_->setObjectName(QStringLiteral("step_open"));
   connect(open_, &QCheckBox::clicked, this, [this](bool on) { edit_step(tr("Open"), [&](record::CourseStep& s) { s.is_open = on; }); });
@@ -264,6 +269,7 @@ QWidget* CoursesPage::make_limits() {
   metric_ = new QComboBox(card.frame);
   metric_->setObjectName(QStringLiteral("limit_metric"));
   metric_->setAccessibleName(tr("Metric to limit"));
+  metric_->setPlaceholderText(tr("The metrics of this lesson are not known here"));
   row->addWidget(metric_, 1);
   auto* add = make_button(tr("Add limit"), {}, QStringLiteral("add_limit"), card.frame);
   give_key(add, QStringLiteral("Ctrl+M"));

@@ -55,6 +55,7 @@ class CoursesPage : public QWidget {
   void edit(const QString& words, const std::function<void(record::Course&)>& change, int field = -1);
   void edit_step(const QString& words, const std::function<void(record::CourseStep&)>& change, int field = -1);
   void fill_lessons();
+  QString fault_of(const record::CourseStep& step) const;
   void choose_course(int row);
   void show_course();
   void show_step();
@@ -79,7 +80,7 @@ class CoursesPage : public QWidget {
   bool filling_ = false;  // what the widgets say is not an edit
 
   QStackedWidget *stack_ = nullptr, *step_stack_ = nullptr;
-  QLabel *empty_ = nullptr, *odds_ = nullptr, *rule_says_ = nullptr, *together_ = nullptr, *step_title_ = nullptr, *problem_ = nullptr;
+  QLabel *empty_ = nullptr, *odds_ = nullptr, *rule_says_ = nullptr, *together_ = nullptr, *step_title_ = nullptr, *step_fault_ = nullptr, *problem_ = nullptr;
   QListWidget *list_ = nullptr, *steps_ = nullptr;
   QLineEdit* title_ = nullptr;
   QCheckBox *in_order_ = nullptr, *open_ = nullptr;

@@ -114,22 +114,10 @@ void PersonPanel::show_bars() {
 
 QWidget* PersonPanel::make_attempts() {
   Card list = make_card({}, this);
-  table_ = new QTableView(list.frame);
-  table_->setObjectName(QStringLiteral("attempts"));
-  table_->setAccessibleName(tr("Attempts"));
-  table_->setModel(sorted_);
+  table_ = make_row_table(sorted_, tr("Attempts"), QStringLiteral("attempts"), list.frame);
   table_->setSortingEnabled(true);
   table_->sortByColumn(AttemptsModel::kWhen, Qt::DescendingOrder);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(28);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(AttemptsModel::kReason, QHeaderView::Stretch);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setToolTip(tr("Enter or a double click opens the attempt"));
   list.body->addWidget(table_, 1);
   review_ =

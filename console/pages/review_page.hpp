@@ -105,6 +105,7 @@ class ReviewPage : public QWidget {
   void set_exports_enabled(bool on);
   bool find_attempt(const std::string& id, record::AttemptRow& out);
   QWidget* make_side();
+  void make_tables(QWidget* tabs);
   void show_review(const base::Problems& problems);
   void fill_side();
   void fill_metrics();

@@ -72,19 +72,7 @@ QWidget* ReviewPage::make_side() {
   // on a small screen words get shorter; no tab hides behind an arrow
   tabs->setUsesScrollButtons(false);
   tabs->setElideMode(Qt::ElideRight);
-  metrics_ =
-      make_table({tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"), tabs);
-  moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
-                        tr("What happened"), tabs);
-  traces_ = new QListWidget(tabs);
-  traces_->setObjectName(QStringLiteral("review_traces"));
-  traces_->setAccessibleName(tr("Which traces are shown"));
-  metrics_->setColumnHidden(kOtherColumn, true);
-  // a sentence that does not fit takes a second line
-  moments_->setWordWrap(true);
-  moments_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
-  worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
+  make_tables(tabs);
   tabs->addTab(metrics_, tr("&Metrics"));
   tabs->addTab(worst_, tr("&Worst"));
   tabs->setTabToolTip(1, tr("Worst moments"));
@@ -100,6 +88,23 @@ QWidget* ReviewPage::make_side() {
   column->addWidget(tabs, 1);
   legend_ = new CueLegend(box);
   column->addWidget(legend_);
+  return box;
+}
+
+void ReviewPage::make_tables(QWidget* tabs) {
+  metrics_ =
+      make_table({tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"), tabs);
+  moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
+                        tr("What happened"), tabs);
+  traces_ = new QListWidget(tabs);
+  traces_->setObjectName(QStringLiteral("review_traces"));
+  traces_->setAccessibleName(tr("Which traces are shown"));
+  metrics_->setColumnHidden(kOtherColumn, true);
+  // a sentence that does not fit takes a second line
+  moments_->setWordWrap(true);
+  moments_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
+  worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
   const auto to_moment = [this](int row) {
     if (row >= 0) go(moments_->item(row, 0)->data(Qt::UserRole).toDouble());
   };
@@ -108,7 +113,6 @@ QWidget* ReviewPage::make_side() {
   connect(worst_, &QTableWidget::cellClicked, this, &ReviewPage::to_worst);
   connect(worst_, &QTableWidget::cellActivated, this, &ReviewPage::loop_worst);
   connect(traces_, &QListWidget::itemChanged, this, &ReviewPage::show_traces);
-  return box;
 }
 
 // What was measured, then what it cost: points lost are headed, as the same words name both.

@@ -84,7 +84,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   no_lessons_->setAlignment(Qt::AlignTop);
   card.body->addWidget(no_lessons_, 1);
   variant_ =
-      make_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
+      make_keyed_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
   variant_->setToolTip(
       tr("A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit"));
   give_key(variant_, QStringLiteral("Ctrl+N"));

@@ -63,21 +63,9 @@ QWidget* StationsPage::make_list() {
   problem_->setWordWrap(true);
   problem_->hide();
   card.body->addWidget(problem_);
-  table_ = new QTableView(card.frame);
-  table_->setObjectName(QStringLiteral("stations"));
-  table_->setAccessibleName(tr("Stations"));
-  table_->setModel(model_);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
+  table_ = make_row_table(model_, tr("Stations"), QStringLiteral("stations"), card.frame);
   table_->setWordWrap(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(28);
   QHeaderView* columns = table_->horizontalHeader();
-  columns->setHighlightSections(false);
-  columns->setSectionResizeMode(QHeaderView::ResizeToContents);
   // what is longest gives way to the others
   for (const int wide : {int(StationsModel::kLesson), int(StationsModel::kPhase), int(StationsModel::kCues), int(StationsModel::kHealth)})
     columns->setSectionResizeMode(wide, QHeaderView::Stretch);

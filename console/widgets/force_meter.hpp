@@ -29,6 +29,10 @@ class ForceMeter : public QWidget {
 
  private:
   QString nothing() const;
+  double x_of(double newtons, const QRectF& bar) const;
+  void paint_number(QPainter& p) const;
+  void paint_bar(QPainter& p, const QRectF& bar) const;
+  void paint_scale(QPainter& p, const QRectF& bar) const;
   UiTheme theme_;
   double most_ = 2, low_ = 0.4, limit_ = 0.9;
   std::optional<double> value_;

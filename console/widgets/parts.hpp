@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "console/cues/cue_theme.hpp"
@@ -30,11 +31,27 @@ QString key_text(const QString& shortcut);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 
+/// A button whose key stands behind or below its words only where there is room for it; its tip tells the key anyway.
+class KeyedButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+  QString words() const;  // without the key
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+/// The same as make_button().
+KeyedButton* make_keyed_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
 /// Gives a button a shortcut, and its tip (its words where it has none) the name of the key. Main thread.
 void give_key(QPushButton* button, const QString& shortcut);
 
 /// A line to type words of a search into, with a button that clears it.
 QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent);
+
+/// A table of which whole rows are chosen, one at a time, and nothing is edited. The keyboard leaves it with Tab, and Enter activates a row.
+QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent);
 
 /// A frameless area that scrolls up and down where its content is taller than the room for it.
 QScrollArea* make_scroll(QWidget* parent);

@@ -321,6 +321,39 @@ void Timeline::paint_line(QPainter& p, const Trace& t, const record::Recording& 
   p.drawPolyline(line);
 }
 
+void Timeline::paint_loop(QPainter& p) const {
+  if (loop_to_s_ <= loop_from_s_) return;
+  const QRectF loop(QPointF(x_of(loop_from_s_), 16), QPointF(x_of(loop_to_s_), area().bottom()));
+  p.fillRect(loop, theme_["raised"]);
+  p.setPen(QPen(theme_["accent"], 1, Qt::DashLine));
+  p.drawLine(loop.topLeft(), loop.bottomLeft());
+  p.drawLine(loop.topRight(), loop.bottomRight());
+}
+
+// the n-th of those that are shown: scale, line, the other attempt's line, name and value at the cursor
+void Timeline::paint_trace(QPainter& p, int i) const {
+  const char* const colours[] = {"plot", "plot_2"};
+  const Trace t = common(review_->traces[shown_[i]]);
+  const QRectF a = plot(i);
+  paint_scale(p, t, a);
+  if (const Trace* other = in_other(t)) {
+    Trace same = *other;
+    same.low = t.low, same.high = t.high;
+    paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
+  }
+  paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+  const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
+  double now = value_at(t, *recording_, step);
+  if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
+  p.setPen(theme_["text"]);
+  const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
+  p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
+             name);
+  p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
+             std::isfinite(now) && has_cursor_ ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
+                                : QString());
+}
+
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
@@ -332,36 +365,9 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Nothing was recorded of this attempt."));
     return;
   }
-  if (loop_to_s_ > loop_from_s_) {
-    const QRectF loop(QPointF(x_of(loop_from_s_), 16), QPointF(x_of(loop_to_s_), area().bottom()));
-    p.fillRect(loop, theme_["raised"]);
-    p.setPen(QPen(theme_["accent"], 1, Qt::DashLine));
-    p.drawLine(loop.topLeft(), loop.bottomLeft());
-    p.drawLine(loop.topRight(), loop.bottomRight());
-  }
+  paint_loop(p);
   paint_axis(p);
-  const char* const colours[] = {"plot", "plot_2"};
-  for (int i = 0; i < shown_.size(); ++i) {
-    const Trace t = common(review_->traces[shown_[i]]);
-    const QRectF a = plot(i);
-    paint_scale(p, t, a);
-    if (const Trace* other = in_other(t)) {
-      Trace same = *other;
-      same.low = t.low, same.high = t.high;
-      paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
-    }
-    paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
-    const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
-    double now = value_at(t, *recording_, step);
-    if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
-    p.setPen(theme_["text"]);
-    const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
-    p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
-               name);
-    p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
-               std::isfinite(now) && has_cursor_ ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
-                                  : QString());
-  }
+  for (int i = 0; i < shown_.size(); ++i) paint_trace(p, i);
   paint_moments(p);
   paint_other_moments(p);
   p.setPen(QPen(theme_["text"], 1.5));

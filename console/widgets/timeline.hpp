@@ -57,6 +57,8 @@ class Timeline : public QWidget {
   QRectF plot(int i) const;
   void go(double time_s);
   void paint_axis(QPainter& p) const;
+  void paint_loop(QPainter& p) const;
+  void paint_trace(QPainter& p, int i) const;
   void paint_moments(QPainter& p) const;
   void paint_scale(QPainter& p, const Trace& trace, const QRectF& area) const;
   void paint_line(QPainter& p, const Trace& trace, const record::Recording& recording, double shift_s, const QRectF& area,

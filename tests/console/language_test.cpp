@@ -4,6 +4,7 @@
 #include "console/app/language.hpp"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,6 +12,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QListView>
+#include <QListWidget>
 #include <QLocale>
 #include <QProcess>
 #include <QRegularExpression>
@@ -20,6 +22,8 @@
 #include "console/cues/theme_words.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
+#include "console/pages/parts_panel.hpp"
+#include "console/widgets/parts.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -169,6 +173,37 @@ TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
   EXPECT_EQ(child<QPushButton>("page_people")->text(), "Personen");
 }
 
+// As the English window does (FirstSight.ASmallScreenHasRoomForEverything): 960x540 is 1920x1080 at 200 %.
+TEST_F(GermanWindow, FitsSmallScreens) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  for (const QSize& size : {QSize(1280, 800), QSize(1024, 768), QSize(960, 540)}) {
+    EXPECT_TRUE(eventually([&] {
+      window->resize(size);
+      return window->size() == size;
+    })) << window->width() << " x " << window->height();
+    for (const char* name : {"start", "pause", "reset", "mark", "stop", "guide", "trainee_button", "help_button"}) {
+      const auto* button = child<QPushButton>(name);
+      const QRect at(button->mapTo(window.get(), QPoint()), button->size());
+      EXPECT_TRUE(window->rect().contains(at)) << name << " at " << size.width();
+      const auto* keyed = dynamic_cast<const console::KeyedButton*>(button);
+      if (keyed) {
+        EXPECT_LE(button->fontMetrics().horizontalAdvance(keyed->words()), button->width()) << name << " at " << size.width();
+      }
+    }
+  }
+  // nothing in the column of the lessons is cut where it is slim
+  const auto* setup = page()->setup();
+  for (const char* name : {"make_variant", "person", "device", "demo"}) {
+    const auto* w = child<QWidget>(name);
+    EXPECT_LT(w->mapTo(setup, QPoint(w->width(), 0)).x(), setup->width()) << name;
+  }
+  for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
+    window->show_page(one.id);
+    EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();
+  }
+}
+
 // The insertion of a hanging needle has the most cues of all lessons without a thread, and the longest words.
 TEST_F(GermanWindow, CutsNoWordOfTheLegend) {
   open();
@@ -267,6 +302,38 @@ TEST(Words, AnEventIsCalledAsItsPluginSays) {
     EXPECT_EQ(console::said_id("clip.opened"), "Clip opened") << "nobody has named it";
     EXPECT_NE(console::said_id("host.gap"), "Host gap");
   }
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
+
+// Objects, couplings and instruments are named by their plugins' bundles, in the editor and where an instrument is put together.
+TEST(GermanWords, NameThePartsOfALesson) {
+  QTemporaryDir dir;
+  const QString bundle = dir.filePath(QStringLiteral("org.example.clip")), file = dir.filePath(QStringLiteral("lesson/clip.json"));
+  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange")"));
+  put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Clip", "devices": [],
+                 "objects": [ { "name": "left_clip", "plugin": "org.example.clip" } ], "lesson": { "plugin": "x.lesson" } })");
+  put(dir.filePath(QStringLiteral("lesson/words.de.json")), german_words(R"("left_clip": "Linke Klemme")"));
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  host::Catalogue catalogue(nothing);
+  host::PluginInfo clip, applier;
+  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.bundle_dir = bundle.toStdString();
+  applier.kind = SWAGE_KIND_DEVICE, applier.id = "org.example.applier", applier.name = "Clip applier", applier.bundle_dir = clip.bundle_dir;
+  catalogue.add(clip);
+  catalogue.add(applier);
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  for (const QString& folder : {bundle, dir.filePath(QStringLiteral("lesson"))}) console::learn_words(folder);
+  console::LessonDraft draft({file, "Clip", "", "", {}}, dir.filePath(QStringLiteral("draft.json")));
+  const console::PartsPanel parts(&draft, &catalogue, nullptr);
+  EXPECT_EQ(parts.findChild<QListWidget*>("parts")->item(0)->text(), "Linke Klemme: Gefäßklemme");
+  const console::PartDialog add(console::LessonPart::Kind::kObject, draft, catalogue, nullptr);
+  const auto* plugin = add.findChild<QComboBox*>("part_plugin");
+  EXPECT_GE(plugin->findText("Gefäßklemme"), 0);
+  EXPECT_EQ(plugin->findText("Vessel clip"), -1);
+  console::SetupPage setup;
+  setup.set_devices({&applier});
+  EXPECT_GE(setup.findChild<QComboBox*>("binding_pose")->findText("Anlegezange"), 0);
   console::use_language(QStringLiteral("en"));
   QLocale::setDefault(QLocale::c());
 }

@@ -47,7 +47,8 @@ class Scaled : public WindowTest, public testing::WithParamInterface<const char*
     }
     const auto* button = qobject_cast<const QAbstractButton*>(w);
     if (!button || button->text().isEmpty()) return 0;
-    const QString text = QString(button->text()).remove(QLatin1Char('&'));
+    const auto* keyed = dynamic_cast<const console::KeyedButton*>(w);
+    const QString text = (keyed ? keyed->words() : button->text()).remove(QLatin1Char('&'));
     int width = button->fontMetrics().horizontalAdvance(text);
     QStyle* style = w->style();
     if (qobject_cast<const QCheckBox*>(w))

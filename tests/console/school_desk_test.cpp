@@ -184,6 +184,27 @@ TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
   EXPECT_NE(x.source.find("fewer than 5 people"), std::string::npos) << x.source;
   EXPECT_FALSE(suggest_limit(y, experts, SWAGE_BETTER_NONE));
   EXPECT_TRUE(expert_attempts(all, {}, "l").empty()) << "nobody is an expert by chance";
+  // what was not passed meets nothing in a course, and is no measure for others
+  all[4].outcome = "failed";
+  const auto ten = expert_attempts(all, {"e1", "e2"}, "l");
+  EXPECT_TRUE(together_words({y, y}, ten).contains("5 of 10")) << together_words({y, y}, ten).toStdString();
+  for (record::AttemptRow& a : all) a.outcome = a.metrics[0].value < 5 ? "failed" : "passed";
+  judge::Limit least;
+  least.metric = "x";
+  ASSERT_TRUE(suggest_limit(least, expert_attempts(all, {"e1", "e2"}, "l"), SWAGE_BETTER_HIGHER));
+  EXPECT_GT(least.least, 5) << "the lowest of those that were passed";
+  // nor is one of a machine that was too slow
+  all[9].remark = "at 60 % of real speed";
+  EXPECT_EQ(expert_attempts(all, {"e1", "e2"}, "l").size(), 9u);
+}
+
+TEST(CourseWords, AnAttemptThatWasNotPassedHasNoScoreToLimit) {
+  record::AttemptRow a;
+  a.score = 70;
+  a.outcome = "failed";
+  EXPECT_TRUE(std::isnan(metric_value(a, "score")));
+  a.outcome = "passed";
+  EXPECT_EQ(metric_value(a, "score"), 70);
 }
 
 // --- bars, curves and tables

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "console/app/help_dialog.hpp"
+#include "console/app/language.hpp"
 #include "console/cues/theme_words.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
@@ -92,6 +93,45 @@ TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   Q_EMIT choice->activated(mouse);
   panel.select_lesson(2);
   EXPECT_EQ(panel.device(), "mouse") << "what a person chose stays";
+}
+
+class StrangersLesson : public test::WindowTest {
+ protected:
+  void TearDown() override {
+    window.reset();
+    use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+  void put(const QString& name, const char* text) {
+    QFile file(dir.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+  // its button below the picture, once its scene is shown
+  void expect_reset(const QString& label, const QString& tip) {
+    open();
+    const auto* reset = child<QPushButton>("reset");
+    EXPECT_TRUE(eventually([&] { return reset->text() == label + QStringLiteral("   F7"); })) << reset->text().toStdString();
+    EXPECT_EQ(reset->accessibleName(), label);
+    EXPECT_EQ(reset->toolTip(), tip + QStringLiteral(" (F7)"));
+    window.reset();
+  }
+};
+
+TEST_F(StrangersLesson, SaysWhatItsResetDoes) {
+  put("beads.json", R"({ "format": "swage-lesson/1", "id": "org.example.beads", "title": "Thread beads", "objects": [],
+    "reset": { "label": "Scatter again", "tip": "Lays all beads out as at the start" }, "lesson": { "plugin": "org.example.beads" } })");
+  put("words.de.json", R"({ "format": "swage-words/1", "language": "de", "words": {
+    "Scatter again": "Neu streuen", "Lays all beads out as at the start": "Legt alle Perlen aus wie am Anfang" } })");
+  launch.options.lesson_path = dir.filePath("beads.json").toStdString();
+  expect_reset("Scatter again", "Lays all beads out as at the start");
+  ASSERT_TRUE(use_language(QStringLiteral("de")));
+  expect_reset("Neu streuen", "Legt alle Perlen aus wie am Anfang");
+  // one that names nothing has the program's words
+  use_language(QStringLiteral("en"));
+  put("plain.json", R"({ "format": "swage-lesson/1", "id": "org.example.plain", "title": "Plain", "objects": [], "lesson": { "plugin": "org.example.plain" } })");
+  launch.options.lesson_path = dir.filePath("plain.json").toStdString();
+  expect_reset("Put back", "Put what the lesson works on back to where it started");
 }
 
 // A cue that no theme knows stands in the legend and in the help as the stock ones do, with its name, signs and sound.
