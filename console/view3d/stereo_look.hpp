@@ -60,7 +60,7 @@ Mirror mirror_of(const QString& name);
 /// other is empty.
 std::array<QRectF, 2> places(StereoLayout layout, const QSizeF& screen);
 
-/// The two pictures combined, of equal size, opaque; the left alone for kShutter. `origin`: their first pixel's position on the screen, whose
+/// The two pictures combined, of equal size, opaque; the left alone for kShutter. `origin`: their first pixel's place on the screen, whose
 /// lines and pixels are counted for interleaving.
 QImage overlay_eyes(StereoLayout layout, const QImage& left, const QImage& right, const QPoint& origin = {});
 

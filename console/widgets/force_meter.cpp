@@ -52,7 +52,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   const bool over = value_ && *value_ > limit_;
 
-  // the number, and what it means
+  // the number, and its meaning
   QFont big = font();
   big.setPointSizeF(font().pointSizeF() * 1.9);
   big.setBold(true);
@@ -85,7 +85,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
   p.setFont(small);
   p.setPen(theme_["muted"]);
   for (const double tick : {0.0, low_, limit_, most_}) {
-    // a number that would run into its neighbour is left out
+    // a tick label that would overlap its neighbour is left out
     if (!judges() && (tick == low_ || tick == limit_) && tick != 0) continue;
     if (tick == low_ && x(low_) - x(0) < 24) continue;
     const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);
