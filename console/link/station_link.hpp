@@ -67,7 +67,7 @@ class StationLink : public QObject {
   void sent_changed();
   void problem_changed();
   void pictured(const QString& station, const QImage& picture, double age_s);
-  /// A bookmark was set at this time of the attempt, s.
+  /// A mark was set in the attempt's record at this time, s.
   void marked(const QString& station, double time_s);
   void refused(const QString& why);
 
