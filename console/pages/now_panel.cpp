@@ -182,7 +182,7 @@ void NowPanel::show_parts() {
   advice_->setVisible(running_ && !readings_hidden_ && !advice_->text().isEmpty());
   hidden_->setVisible(readings_hidden_);
   readings_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));
-  lower_->setVisible(has_scene_ && !readings_hidden_ && !unfolded && (running_ || !asks));  // before the attempt the criteria take this room
+  lower_->setVisible(has_scene_ && !readings_hidden_ && !unfolded && (running_ || !asks));  // before the attempt criteria take this room
 }
 
 // In a test the time limit ends the attempt; in practice exceeding it is reported.
