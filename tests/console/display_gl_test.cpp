@@ -189,7 +189,7 @@ TEST_F(Gl, AMicroscopeHasARoundFieldAndMagnifiesAsItsMakerSays) {
 }
 
 /// Lightness between neighbours, summed over the edges of a picture where it differs by more than 30 of 255: those of needle and jaws.
-/// The floor's lines are weaker and do not count, as the floor has no depth and blurs as if it were far away.
+/// The floor's lines are weaker and do not count, as the floor has no depth and is blurred as if it were far away.
 double sharpness(const QImage& image) {
   double sum = 0;
   for (int y = image.height() / 4; y < image.height(); ++y)
@@ -200,8 +200,8 @@ double sharpness(const QImage& image) {
   return sum;
 }
 
-// The same picture with and without the blur: away from the focus, on either side, less than half as much of its edges is left as in it,
-// and all of that comes back with the focus. In it, too, only what lies at the focal distance is sharp: a share of the needle.
+// The same picture with and without blur: off focus, on either side, the summed edges are less than half of those in focus, and they
+// return fully with the focus. In focus, too, only the part of the needle at the focal distance is sharp.
 TEST_F(Gl, AMicroscopeIsSharpInItsFocusAndBlursAwayFromIt) {
   open_ready();
   if (IsSkipped()) return;
@@ -233,7 +233,7 @@ TEST_F(Gl, AMicroscopeIsSharpInItsFocusAndBlursAwayFromIt) {
   EXPECT_NEAR(left(), in_focus, 0.02) << before << ' ' << behind;
 }
 
-// A driver without two buffers shows the left eye, upright and as it is. What it would show right needs one that has them.
+// A driver without two buffers shows the left eye, upright and unchanged. The right eye's picture can be tested only with two buffers.
 TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   open_ready();
   if (IsSkipped()) return;
@@ -246,7 +246,7 @@ TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   for (int y = 0; y < left.height(); ++y)
     for (int x = 0; x < left.width(); ++x) left.setPixel(x, y, qRgb(3 * x, 5 * y, 77)), right.setPixel(x, y, qRgb(77, 3 * x, 5 * y));
   EXPECT_EQ(shutter.show_eyes(left, right), console::has_quad_buffers());
-  // two buffers in turn: what was drawn comes back with the second swap
+  // with double buffering the drawn picture is readable after the second swap
   shutter.show_eyes(left, right);
   EXPECT_EQ(shutter.read_back(), left);
   shutter.resize(80, 40);
@@ -255,7 +255,7 @@ TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   ASSERT_TRUE(eventually([&] { return shutter.show_eyes(other, other), shutter.read_back() == other; }));
 }
 
-// The two pictures that a driver with two buffers is given are what each eye sees alone.
+// The two pictures for a quad-buffered driver are those of each eye alone.
 TEST_F(Gl, OneAfterTheOtherIsGivenBothEyes) {
   open_ready();
   if (IsSkipped()) return;
