@@ -14,13 +14,13 @@
 namespace swage::console {
 namespace {
 
-// parts further from the work than this do not widen the first view
-constexpr float kBeside = 1.8F;  // radii of the work, from its middle
+// radius of the first view, in radii of the work: places further away are pulled in to it
+constexpr float kBeside = 1.8F;  // from the middle of the work
 // length of a needle's point over the radius of its wire: 0.8 mm for a wire of 100 um diameter
 constexpr double kTaper = 16;
 // length of the collars at the ends of a region, m
 constexpr double kCollar = 0.1e-3;
-constexpr float kTouch_mm = 0.05F;
+constexpr float kTouch_mm = 0.05F;  // the work may begin so far inside its stage
 // vertices of a tool so many times further from the work than its foremost part belong to its handle, not to a tip
 constexpr float kBehind = 1.6F;
 
