@@ -150,7 +150,7 @@ QWidget* HelpDialog::make_keys() {
   return page;
 }
 
-// a page is scrolled where the screen is smaller than it
+// adds a page in a scroll area, for screens smaller than the page
 void HelpDialog::add_tab(QWidget* page, const QString& title) {
   auto* area = new QScrollArea(tabs_);
   area->setWidgetResizable(true);

@@ -46,7 +46,7 @@ void Pages::add(const Page& page) {
   button->setToolTip(tr("%1 (%2)").arg(page.tip, key.toString(QKeySequence::NativeText)));
   button->setChecked(number == 1);
   connect(button, &QPushButton::clicked, this, [this, id = page.id] { go(id); });
-  // behind the other pages' buttons, before what the window adds
+  // behind the buttons of the other pages, before the items that the window adds
   bar_->insertWidget(1 + number, button);
   buttons_ += button;
   auto* action = new QAction(page.title, this);

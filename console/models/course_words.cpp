@@ -15,9 +15,9 @@
 namespace swage::console {
 namespace {
 
-constexpr uint32_t kAttempts = 30;   // about as many as a resident makes at a lesson
-constexpr uint32_t kRuns = 10'000;   // to 0.5 of 100, in a tenth of a second
-constexpr size_t kFewExperts = 5;    // fewer say little about experts (ux-assessment 12.4)
+constexpr uint32_t kAttempts = 30;   // about as many as a resident makes of a lesson
+constexpr uint32_t kRuns = 10'000;   // simulated trainees: accuracy 0.5 of 100, in a tenth of a second
+constexpr size_t kFewExperts = 5;    // fewer are a poor sample of experts (ux-assessment 12.4)
 
 class CourseWords {
   Q_DECLARE_TR_FUNCTIONS(course_words)

@@ -20,7 +20,7 @@ QString unit_of(const record::AttemptRow& a, const QString& metric) {
   return QStringLiteral("1");
 }
 
-// title or name of each id, in the order of the words
+// title or name of each id, in order of these texts
 struct Names {
   std::map<std::string, QString> by_id;
   QStringList words;

@@ -13,7 +13,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kMargin = 0.15;  // of the bar on each side of what is drawn
+constexpr double kMargin = 0.15;  // margin on each side of the drawn range, as a share of the bar
 
 class BarWords {
   Q_DECLARE_TR_FUNCTIONS(metric_bars)
@@ -104,7 +104,7 @@ QVector<MetricBar> metric_bars(const QVector<record::AttemptRow>& attempts, cons
   for (const QString& id : metric_ids({*newest})) {
     const int32_t direction = better(id);
     const double value = metric_value(*newest, id);
-    if (metric_show(id) == SWAGE_SHOW_YES_NO) continue;  // yes or no lies in no band
+    if (metric_show(id) == SWAGE_SHOW_YES_NO) continue;  // yes-or-no metrics have no band
     if (!std::isfinite(value) || (direction != SWAGE_BETTER_LOWER && direction != SWAGE_BETTER_HIGHER)) continue;
     const Experts them = experts(newest->lesson_id, id);
     const judge::Band band = judge::expert_band(them.values);

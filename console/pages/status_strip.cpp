@@ -10,7 +10,7 @@
 namespace swage::console {
 namespace {
 
-/// What a device tells of itself, as far as it is known: ", Pad: Battery 70 %".
+/// A device's own status, if known: ", Pad: Battery 70 %".
 QString told_by(const snapshot::Snapshot& s, const snapshot::SceneCard& card, const std::string& device) {
   QString out;
   for (uint32_t i = 0; i < s.n_signal && i < card.script.signals.size(); ++i) {

@@ -7,7 +7,7 @@
 namespace swage::console {
 namespace {
 
-constexpr float kFlat_mm = 2e-4F;  // a shallower dent is not seen
+constexpr float kFlat_mm = 2e-4F;  // a shallower dent is not visible
 
 std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Dent> out;
@@ -19,14 +19,14 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
-constexpr int kMostSteps = 24;     // along a tear: on one to the rim triangles are a little coarser
-constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
+constexpr int kMostSteps = 24;     // largest number of steps along a tear; the triangles towards its rim are a little coarser
+constexpr uint32_t kApart = 1000;  // difference between the wound numbers of two couplings
 
 QVector3D direction(const swage_vec3& n) {
   return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
 }
 
-// Of each wound last the place where the needle is or was last: there it gapes.
+// The last tear of each wound is the present or last place of the needle, where the wound gapes.
 std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Tear> out;
   for (uint32_t i = 0; i < s.n_tear; ++i) {
@@ -47,7 +47,7 @@ std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
-// A coupling that pierces tells its last entry and exit in signals of these names.
+// The last entry and exit of a coupling that pierces, from signals of these names.
 Punctures punctures_of(const SceneState& scene) {
   const std::vector<judge::Name>& names = scene.card().script.signals;
   const auto value = [&](const std::string& owner, const std::string& id) {
@@ -66,7 +66,7 @@ Punctures punctures_of(const SceneState& scene) {
   return out;
 }
 
-// Where the surface must be fine: at its dents, and along its wounds, or its coarse triangles would stand out of them.
+// The places where the surface mesh is refined: its dents, and its wounds, which coarse triangles would cover.
 std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<Tear>& tears) {
   std::vector<Dent> out = dents;
   for (const Tear& t : tears) {
@@ -88,7 +88,7 @@ void SoftMeshes::add() {
   drawn_ = false;
 }
 
-// anatomy, not a cue: as red as it is in any palette
+// the red of anatomy, not a cue: the same in every theme
 void SoftMeshes::colour(const UiTheme& ui) {
   renderer_.set_surface(part_[kLip], {ui["wound_lip"], 0, 60, Finish::kMoist});
   renderer_.set_surface(part_[kFlesh], {ui["wound_flesh"], 0, 70, Finish::kMoist});

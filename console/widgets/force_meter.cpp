@@ -60,7 +60,7 @@ double ForceMeter::x_of(double newtons, const QRectF& bar) const {
   return bar.left() + bar.width() * std::clamp(newtons / most_, 0.0, 1.0);
 }
 
-// the number, and what it means
+// Paints the number and its meaning.
 void ForceMeter::paint_number(QPainter& p) const {
   QFont big = font();
   big.setPointSizeF(font().pointSizeF() * 1.9);
@@ -99,7 +99,7 @@ void ForceMeter::paint_scale(QPainter& p, const QRectF& bar) const {
   p.setFont(small);
   p.setPen(theme_["muted"]);
   for (const double tick : {0.0, low_, limit_, most_}) {
-    // a number that would run into its neighbour is left out
+    // a tick label that would overlap its neighbour is left out
     if (!judges() && (tick == low_ || tick == limit_) && tick != 0) continue;
     if (tick == low_ && x(low_) - x(0) < 24) continue;
     const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);

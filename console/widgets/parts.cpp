@@ -53,7 +53,7 @@ Button* make_button_as(const QString& text, const QString& shortcut_id, const QS
   auto* button = new Button(shortcut.isEmpty() ? text : text + kBesideWords + shortcut, parent);
   button->setObjectName(name);
   button->setAccessibleName(text);
-  // by keys it can be reached; a click leaves the keyboard to the instrument
+  // focus by keys only: a click leaves the keyboard focus to the instrument
   button->setFocusPolicy(Qt::TabFocus);
   if (!shortcut.isEmpty()) button->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut));
   return button;
@@ -131,7 +131,7 @@ QScrollArea* make_scroll(QWidget* parent) {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  // on the ground of the page
+  // transparent, on the page's background
   scroll->setProperty("bare", true);
   return scroll;
 }
@@ -184,7 +184,7 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
   const int line = option.fontMetrics.height();
   const QString title = index.data().toString();
-  // titles of a series differ in their last words: one that is too long takes the line of the summary as well
+  // titles of a series differ in their last words: a long title also uses the line of the summary
   if (!summary.isEmpty() && QFontMetrics(bold).horizontalAdvance(title) > r.width()) {
     painter->drawText(r.adjusted(0, -2, 0, 2), Qt::AlignVCenter | Qt::TextWordWrap, title);
     painter->restore();

@@ -23,7 +23,7 @@ class FaultyLesson : public WindowTest {
 TEST_F(FaultyLesson, IsListedAsFaultyAndIsNotAdded) {
   QFile file(dir.filePath("broken.json"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(R"({"format": "swage-lesson/1", "id": "test.broken"})");  // every lesson has a title
+  file.write(R"({"format": "swage-lesson/1", "id": "test.broken"})");  // lacks the mandatory title
   file.close();
   launch.options.lesson_path = file.fileName().toStdString();
   open();

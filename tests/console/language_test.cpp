@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The German window: every string is translated, nothing in a translation is broken, and what is seen is German.
+// The German window: every string is translated, no translation is malformed, and visible texts are German.
 #include "console/app/language.hpp"
 
 #include <QAbstractButton>
@@ -83,7 +83,7 @@ TEST(German, NoStringIsLeft) {
   ASSERT_TRUE(update.waitForFinished(120000));
   const QString complaints = QString::fromUtf8(update.readAllStandardError());
   ASSERT_EQ(update.exitCode(), 0) << complaints.toStdString();
-  // what such a class says is looked up under its parent's name, and stays English
+  // strings of such a class are looked up under its base class's name, and stay English
   EXPECT_FALSE(complaints.contains(QStringLiteral("lacks Q_OBJECT"))) << complaints.toStdString();
   const auto messages = read_messages(copy);
   EXPECT_GT(messages.size(), 800);
@@ -93,7 +93,7 @@ TEST(German, NoStringIsLeft) {
   }
 }
 
-// themes are data: what they say must be listed for the translators, too
+// themes are data: their texts must be listed for the translators, too
 TEST(German, WordsOfTheThemesAreListed) {
   const QStringList listed = console::theme_words();
   int found = 0;
@@ -117,7 +117,7 @@ TEST(German, PlacesMnemonicsAndEndsAreThoseOfTheSource) {
   ASSERT_GT(messages.size(), 800);
   for (const Message& m : messages) {
     for (const QString& form : m.forms) {
-      if (form.isEmpty()) continue;  // told by the test above
+      if (form.isEmpty()) continue;  // reported by the test above
       EXPECT_TRUE(m.numbered || places_in(form) == places_in(m.source)) << say(m, form);
       EXPECT_EQ(form.count(QLatin1Char('&')), m.source.count(QLatin1Char('&'))) << say(m, form);
       EXPECT_EQ(form.count(QLatin1Char('\n')), m.source.count(QLatin1Char('\n'))) << say(m, form);
@@ -141,7 +141,7 @@ class GermanWindow : public WindowTest {
     console::use_language(QStringLiteral("en"));
     QLocale::setDefault(QLocale::c());
   }
-  /// What a widget says, as it stands in the file: without the key that follows the words.
+  /// A widget's text as in the translation file: without the shortcut after it.
   static QString words_of(const QWidget* w) {
     QString text;
     if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
@@ -226,7 +226,7 @@ TEST_F(GermanWindow, WritesNumbersAndDatesAsGermansDo) {
   const auto* people = child<QTableView>("people");
   EXPECT_EQ(people->model()->headerData(0, Qt::Horizontal).toString(), "Name");
   EXPECT_EQ(people->model()->headerData(console::PeopleModel::kSeen, Qt::Horizontal).toString(), "Zuletzt da");
-  // numbers by %n
+  // plural forms by %n
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 1), QStringLiteral("1 Person hinzufügen"));
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 3), QStringLiteral("3 Personen hinzufügen"));
 }
@@ -242,7 +242,7 @@ QByteArray german_words(const QByteArray& pairs) {
   return R"({ "format": "swage-words/1", "language": "de", "words": {)" + pairs + "} }";
 }
 
-// Nothing of this lesson is in the program: its words lie beside it. What is kept stays as it is written.
+// No text of this lesson is in the program: its translations lie beside it. Records stay untranslated.
 TEST_F(GermanWindow, SaysInGermanWhatAStrangersLessonSays) {
   const QString file = dir.filePath(QStringLiteral("strangers/clip.json"));
   put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Set a clip", "summary": "Close the clip.", "goal": "Not too hard.",
@@ -276,7 +276,7 @@ TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
   EXPECT_EQ(console::said_event("The clip is closed; value: its force."), "Die Klammer ist zu");
   EXPECT_EQ(console::said("Drag", other.toStdString()), "Widerstand");
   EXPECT_EQ(console::said("Drag", clip.toStdString()), "Ziehen");
-  // two clips are told apart by the name that the lesson gives them
+  // two clips are distinguished by their names in the lesson
   const judge::Name one{"left", "clip.closed", "1", ""}, two{"right", "clip.closed", "1", ""};
   EXPECT_EQ(console::said_name(one, {one, two}), "Geschlossen (Left)");
   EXPECT_EQ(console::said_name(one, {one}), "Geschlossen");
@@ -288,7 +288,7 @@ TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
   EXPECT_EQ(console::said_id("clip.closed"), "Clip closed");
 }
 
-// What has no words of its own is named in English beside the plugin, which holds in every language that has no name for it.
+// Ids without a translation are named in English by the file beside the plugin, in every language that has no name for them.
 TEST(Words, AnEventIsCalledAsItsPluginSays) {
   QTemporaryDir dir;
   const QString clip = dir.filePath(QStringLiteral("org.example.clip"));

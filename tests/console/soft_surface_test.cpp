@@ -40,13 +40,13 @@ TEST(SoftSurface, RefiningKeepsTheSurfaceWholeAndIsFineWhereItIsDented) {
       EXPECT_LE((at(fine, a) - at(fine, b)).length(), 0.4F * std::max(from, 0.05F) * 1.001F);
       sides[std::minmax(a, b)] += a < b ? 1 : -1;
     }
-  // every inner edge has a triangle on either side; the others are the rim of the square
+  // every inner edge has a triangle on either side; other edges are the rim of the square
   for (const auto& [edge, balance] : sides) {
     if (balance == 0) continue;
     const QVector3D middle = 0.5F * (at(fine, edge.first) + at(fine, edge.second));
     EXPECT_FLOAT_EQ(std::max(std::abs(middle.x()), std::abs(middle.y())), 2);
   }
-  // without dents nothing is made smaller
+  // without dents nothing is refined
   EXPECT_EQ(refined(square(), X, {}).index, square().index);
 }
 
@@ -64,7 +64,7 @@ TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
     const float r2 = (p - dents[0].p).lengthSquared();
     EXPECT_NEAR(dented.vertex[i].p[2], -0.2F / std::sqrt(1 + 4 * r2), 1e-5F);
     deepest = std::min(deepest, dented.vertex[i].p[2]);
-    // against the normal by differences
+    // compared with the normal by finite differences
     const auto depth = [&](float dx, float dy) { return displacement(dents, p + QVector3D(dx, dy, 0)).z(); };
     const float h = 0.01F;
     const QVector3D n_W(-(depth(h, 0) - depth(-h, 0)) / (2 * h), -(depth(0, h) - depth(0, -h)) / (2 * h), 1);

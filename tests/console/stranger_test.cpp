@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts of the window as a stranger meets them (tests/stranger.md): what is told while a lesson runs, and after it.
+// The window as seen by a new user (tests/stranger.md): information during a lesson and after it.
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -58,7 +58,7 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
 }
 
-// A lesson of somebody else's instrument is done with that instrument, unless a person chooses another.
+// A lesson with another author's instrument uses that instrument, unless a person chooses another.
 TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   QTemporaryDir dir;
   const auto write = [&dir](const char* id, const char* first, const char* second) {
@@ -149,7 +149,7 @@ TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == "The lamp is lit"; }));
 }
 
-// Thirty numbers would hide the five that matter; where the points went stands apart.
+// Thirty numbers would hide the five important ones; deductions are listed separately.
 TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
   ResultPanel panel;
   session::Result result;
@@ -178,7 +178,7 @@ TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
   auto* all = panel.findChild<QPushButton*>("all_numbers");
   all->click();
   EXPECT_TRUE(shown(number(9.25)));
-  // by keys in the order in which they stand
+  // by keys, in display order
   QWidget* at = panel.findChild<QPushButton*>("again");
   for (const char* name : {"to_review", "next_lesson", "to_progress", "all_numbers"}) {
     do at = at->nextInFocusChain();
