@@ -4,7 +4,7 @@
 //
 // Elastic, perfectly plastic layers in parallel (Besseling 1958, Iwan 1967), each with its share of the stiffness and its own
 // limit, follow the closed form of the round section (wire_section.hpp): elastic core, growing hinge, and when bent back
-// Masing's doubled curve with its early yielding. The moment is right to 0.35 %, and the residual curvature to 6.1 %, from 1.02
+// Masing's doubled curve with its early yielding. The moment is right to 0.35 %, and the residual curvature to 6.5 %, from 1.02
 // to 1.689 of the moment of first yield, 99.5 % of the plastic moment. That curvature grows as 1.92 (c - 1)^(5/2) at first, c the
 // curvature over that of first yield: the layers are closest there. Below 1.02 the sum over an arm counts, whose moment falls to nothing:
 // what the arm keeps is right to 7 % where it bears 1.02 or more at its clamp. In normalised form: curvatures in yield curvatures, moments in yield
