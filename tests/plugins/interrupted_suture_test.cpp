@@ -44,6 +44,15 @@ TEST(InterruptedSuture, TheExpertSewsThreeEqualStitchesAndCutsThemOff) {
   EXPECT_EQ(expert.engine().quarantined(), 0u);
 }
 
+TEST(InterruptedSuture, OneMouseLeadsNeedleAndScissors) {
+  LessonRun mouse(kLesson, "mouse");
+  EXPECT_EQ(mouse.problems(), "");
+  ASSERT_TRUE(mouse.ready());
+  mouse.run(1);
+  EXPECT_EQ(mouse.outcome(), "running");
+  EXPECT_EQ(mouse.engine().quarantined(), 0u);
+}
+
 TEST(InterruptedSuture, TheClumsyHandTearsTheTissue) {
   const LessonRun clumsy = sew("clumsy");
   ASSERT_TRUE(clumsy.ready());
