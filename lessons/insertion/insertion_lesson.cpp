@@ -34,6 +34,10 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   // the whole card would be one metric more than a scene has room for
   const auto tells = [&](size_t i) {
     if (i == index(Measure::kTwist)) return !has_far();
+    const bool tails = (i >= index(Measure::kTailLeast) && i <= index(Measure::kCutsAstray)) || i == index(Measure::kPointsTails);
+    if (tails) return has_cut();
+    const bool loops = i == index(Measure::kLoopLeast) || i == index(Measure::kLoopMost) || i == index(Measure::kPointsLoops);
+    if (has_cut() && (loops || i == index(Measure::kPointsTension))) return false;
     return has_far() || (i != index(Measure::kPointsStep) && (i < index(Measure::kInnerNear) || i > index(Measure::kFarWound)));
   };
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
@@ -45,10 +49,12 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
   phase_[index(Stage::kPull)] = builder.phase("pull", "Pull it through along its curve.");
+  if (has_cut()) phase_[index(Stage::kCutOff)] = builder.phase("cut", "Cut the thread beyond the exit, as long as the tail.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
   damaged_ = builder.event("suture.damaged", "The needle was grasped at the swage, which damages the suture.");
+  if (has_cut()) cut_off_ = builder.event("suture.cut_off", "The thread was cut; value: the tail that is left beyond the exit, m.");
   missed_ = builder.event("entry.missed", "The point went in too far from the mark.");
   if (has_far()) far_first_ = builder.event("entry.far_first", "The point went into the other edge, and not through the first one.");
   const auto failure = [&](End end, const char* code, const char* doc) {
@@ -92,7 +98,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   pierce_ = find_pierce(scene, binder, std::string(view(owner->owner)));
   if (has_far()) find_far(scene, binder);
   if (!params_.suture.empty()) find_suture(scene, binder);
-  if (params_.suture.empty() && params_.tail + params_.loop > 0)
+  if (params_.suture.empty() && (params_.tail + params_.loop > 0 || has_cut()))
     binder.error(say::kNoSuture());
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
@@ -159,6 +165,7 @@ void InsertionLesson::activate(double dt_s) {
   rules.suture.loop = p.loop;
   rules.suture.loop_tolerance = p.loop_tolerance;
   rules.suture.tension = p.tension;
+  rules.suture.cut = has_cut();
   rules.far = {has_far(), p.step};
   judge_ = Judge(rules, dt_s);
 }
@@ -349,6 +356,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_
   if (finding.dropped) verdict.event(dropped_);
   if (finding.damaged) verdict.event(damaged_);
   if (finding.missed) verdict.event(missed_, kept.memory.entry_distance);
+  if (finding.cut_off) verdict.event(cut_off_, finding.cut_tail);
   if (finding.far_first) verdict.event(far_first_);
   verdict.phase(phase_[index(finding.stage)]);
 

@@ -38,7 +38,10 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   follow_twist(memory.twist, look);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
-  finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
+  finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s,
+                                       memory.through != 0 && memory.retaken != 0);
+  finding.cut_off = rules_.suture.cut && look.suture.parted;
+  finding.cut_tail = memory.suture.cut_off.tail;
   follow_stitch(memory, look, finding);
   finding.swage_held = memory.suture.grasped != 0;
   finding.taut = rules_.suture.tension > 0 && look.suture.tension > rules_.suture.tension;
@@ -158,18 +161,21 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
   follow_stray(memory.stray, look.needle_astray || look.far.needle_astray, look.jaws_astray || look.far.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
-  if (memory.missed != 0 || !SutureWatch::drawn(rules_.suture, memory.suture)) return;
+  if (memory.missed != 0 || !SutureWatch::done(rules_.suture, memory.suture)) return;
   Stitches::finish(memory.stitch);
+  SutureWatch::finish(rules_.suture, memory.suture);
   memory.worst_entry = std::max(memory.worst_entry, memory.entry_distance);
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
   FarEdge::finish(memory.far, look.far.wound);
+  SutureWatch::go_on(rules_.suture, memory.suture);
   finding.stitched = true;
 }
 
 Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
-  if (memory.retaken != 0) return Stage::kPull;
+  const bool to_cut = rules_.suture.cut && memory.through != 0 && SutureWatch::drawn(rules_.suture, memory.suture);
+  if (memory.retaken != 0) return to_cut ? Stage::kCutOff : Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
   if (memory.far.near_out != 0) return Stage::kCross;
@@ -188,7 +194,7 @@ Grip Judge::how_held(const Look& look) const noexcept {
 void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
                                                  : memory.through != 0 && memory.retaken != 0 &&
-                                                       SutureWatch::drawn(rules_.suture, memory.suture);
+                                                       SutureWatch::done(rules_.suture, memory.suture);
   if (done)
     finding.end = memory.missed != 0                               ? End::kMissed
                   : FarEdge::uneven(rules_.far, memory.far)        ? End::kStep
@@ -227,6 +233,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
   lost.loops = 15 * std::clamp(2 * SutureWatch::unlike_loops(rules_.suture, memory.suture), 0.0, 1.0);
   lost.tension = 15 * std::clamp(SutureWatch::over_tension(rules_.suture, memory.suture), 0.0, 1.0);
+  if (rules_.suture.cut) lost.tails = CutWatch::points(memory.suture.cut_off, rules_.suture.tail_tolerance);
   lost.step = FarEdge::points(rules_.far, memory.far);
   if (rules_.far.there) lost.bites = 10 * std::clamp(Stitches::asymmetry(memory.stitch), 0.0, 1.0);
   if (rules_.stitches < 2) return lost;

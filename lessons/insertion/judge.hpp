@@ -117,7 +117,7 @@ struct Memory {
   FarState far;
 };
 
-enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross };
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff };
 enum class End {
   kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kStep, kCount
 };
@@ -129,9 +129,9 @@ enum class Grip { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
 struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
   double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
-  double step = 0;                                                       // of two edges
+  double step = 0, tails = 0;                                            // of two edges; of stitches that are cut off
   double sum() const {
-    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step;
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails;
   }
 };
 
@@ -150,6 +150,8 @@ struct Finding {
   bool far_first = false;                // in this step: the point entered the far edge without the near one
   bool stitched = false;                 // in this step: a stitch is complete, and another one is required
   bool swage_held = false;               // grasped where the thread is swaged in
+  bool cut_off = false;                  // in this step: the thread was cut
+  double cut_tail = 0;                   // with `cut_off`: m of thread that are left beyond the exit
   bool damaged = false;                  // in this step: such a grasp begins
   bool taut = false;                     // the tension of the thread is above its limit
   bool loop_good = false;                // the loop has the required length

@@ -42,7 +42,7 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   if (params.holder == params.winder) builder.error("winder", lessons::say::kTwoGrippers());
   if (params.left == params.right) builder.error("right", "a wound has two edges, not one");
   if (!read_word(params.word, asked_)) builder.error("word", "a word is one to six whole numbers that are not 0, such as \"1 -1\"");
-  builder.state<Memory>();
+  builder.state<Kept>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
   phase(Stage::kTake, "take", "Take the long end of the thread with one instrument.");
@@ -76,6 +76,10 @@ void KnotLesson::bind(const Scene& scene, Binder& binder) {
   side_[0].tissue = lessons::find_object(scene, binder, p.left);
   side_[1].tissue = lessons::find_object(scene, binder, p.right);
   find_knot(scene, binder);
+  if (binder.failed()) return;
+  strand_ = StrandPeer(Peer(scene->object[thread_object_].instance));
+  for (Side& side : side_)
+    if (scene->object[side.tissue].n_body > 0) side.body = scene->object[side.tissue].first_body;
 }
 
 void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
@@ -92,6 +96,7 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
     side_[i].tail = signal(stitch[i], "pull.tail");
     side_[i].tension = signal(stitch[i], i == 0 ? "pull.tension_tail" : "pull.tension_out");
     side_[i].cut = signal(stitch[i], "pull.cut");
+    side_[i].out = signal(stitch[i], "pull.out");
   }
   turns_ = signal(p.winding, "winding.turns");
   through_ = signal(p.winding, "winding.passages");
@@ -150,12 +155,44 @@ bool KnotLesson::read(const View& view, Look& look) const {
 
 void KnotLesson::observe(const View& view, const Verdict& verdict, std::span<double> state) {
   Look look;
-  auto& memory = as<Memory>(state);
+  auto& kept = as<Kept>(state);
   if (!read(view, look)) return discard();
-  const Finding finding = judge_.look(memory, look);
-  report(memory, look, verdict);
+  const Finding finding = judge_.look(kept.memory, look);
+  follow_work(view, look, kept);
+  report(kept.memory, look, verdict);
+  report_work(kept.work, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
   say(finding, verdict);
+}
+
+void KnotLesson::follow_work(const View& view, const Look& look, Kept& kept) const {
+  const Memory& m = kept.memory;
+  const bool counts = Judge::task_time(m, look.time_s) > 0 && m.hold_s == 0;
+  for (int i = 0; i < 2; ++i) {
+    const auto jaws = gripper_[i].describe(view.object(gripper_object_[i]));
+    if (!jaws) continue;
+    WorkWatch::look(kept.work, i, m.has[i] != 0, Eigen::Map<const Vec3>(m.path[i].last), jaws->opening, m.grip[i].now, look.dt_s, counts);
+  }
+  kept.work.gap = look.word.throws > 0 && look.through ? air_gap(view, look.loop) : -1;
+}
+
+/// m; negative where the thread or the tissue cannot say it. The long end leaves the right edge, the tail the left one.
+double KnotLesson::air_gap(const View& view, double length) const {
+  const Step thread = view.object(thread_object_);
+  const auto law = strand_.law(thread);
+  if (!law || side_[0].body == kNone || side_[1].body == kNone) return -1;
+  Loop loop;
+  loop.exit = view.signal(side_[1].out);
+  loop.entry = law->length - view.signal(side_[0].tail);
+  loop.length = length;
+  loop.diameter = 2 * law->radius;
+  Vec3 out = Vec3::Zero();
+  for (const Side& side : side_) out += toolkit::Pose(view.pose(side.body)).q * Vec3::UnitZ();
+  loop.out_W = out.normalized();
+  return lesson_knot::air_gap(loop, [&](double s) {
+    const auto place = strand_.place(thread, s);
+    return place ? vec(place->p_W) : Vec3(Vec3::Zero());
+  });
 }
 
 void KnotLesson::say(const Finding& finding, const Verdict& verdict) const {
@@ -200,6 +237,12 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   tell(verdict, Measure::kPassages, m.passages);
   if (m.held_s > 0) report_held(m, verdict);
+}
+
+void KnotLesson::report_work(const WorkState& work, const Verdict& verdict) const {
+  if (work.gap >= 0) tell(verdict, Measure::kAirGap, work.gap);
+  tell(verdict, Measure::kIdle, WorkWatch::idle(work));
+  tell(verdict, Measure::kRegrasps, WorkWatch::regrasps(work));
 }
 
 // Metrics without a value before the thread was held are not reported. Of the two grips the one with more force counts.

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <swage/lesson.hpp>
+#include <swage/strand.hpp>
 
 #include <string>
 
 #include "card.hpp"
 #include "common/watching.hpp"
 #include "judge.hpp"
+#include "work.hpp"
 
 namespace swage::lesson_knot {
 
@@ -80,20 +82,29 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   void bind(const Scene& scene, Binder& binder) override;
   void activate(double dt_s) override;
   void observe(const View& view, const Verdict& verdict, std::span<double> state) override;
-  void reset(std::span<double> state) override { as<Memory>(state) = {}; }
+  void reset(std::span<double> state) override { as<Kept>(state) = {}; }
 
  private:
   /// Objects and signals of one side of the wound.
   struct Side {
     uint32_t tissue = kNone;
-    Signal shift, state, tail, tension, cut;
+    uint32_t body = kNone;
+    Signal shift, state, tail, tension, cut, out;
+  };
+  /// Private numbers: what the judge remembers, and what is told beside.
+  struct Kept {
+    Memory memory;
+    WorkState work;
   };
   void find_knot(const Scene& scene, Binder& binder);
   void read_knot(const View& view, Look& look) const;
   bool read(const View& view, Look& look) const;
+  void follow_work(const View& view, const Look& look, Kept& kept) const;
+  double air_gap(const View& view, double loop) const;
   void say(const Finding& finding, const Verdict& verdict) const;
   void tell_end(const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, const Look& look, const Verdict& verdict) const;
+  void report_work(const WorkState& work, const Verdict& verdict) const;
   void report_held(const Memory& memory, const Verdict& verdict) const;
   void report_points(const Points& lost, const Verdict& verdict) const;
   void tell(const Verdict& verdict, Measure measure, double value) const { verdict.metric(metric_[lessons::index(measure)], value); }
@@ -102,6 +113,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   Word asked_;
   uint32_t gripper_object_[2] = {kNone, kNone}, thread_object_ = kNone;  // winder, holder
   Peer gripper_[2];
+  StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
   Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_;
