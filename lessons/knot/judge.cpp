@@ -40,11 +40,34 @@ void Judge::follow_hands(Memory& memory, const Look& look, Finding& finding) con
     path_.look(memory.path[i], look.tip_W[i], look.time_s);
     grip_.look(memory.grip[i], look.grip[i], memory.has[i] != 0, look.time_s, look.dt_s);
     finding.too_hard[i] = GripWatch::too_hard(memory.grip[i]);
-    // letting go of the thread when all throws are tied is no drop
-    if (i == 0) finding.dropped = had && memory.has[i] == 0 && look.word.throws < rules_.asked.throws;
+    if (i == 0) finding.dropped = drops(memory, look, had);
   }
   memory.drops += finding.dropped;
   finding.held = memory.has[0] != 0;
+}
+
+/// True in the step in which the winder loses the thread. What the hand lets go of when all is tied is no drop. Neither is a long end that it
+/// lets go of between two throws, slack and with nothing wound, once it has it again in time.
+bool Judge::drops(Memory& memory, const Look& look, bool had) const noexcept {
+  if (look.word.throws >= rules_.asked.throws) memory.let_go = 0;
+  if (memory.has[0] != 0) {
+    memory.regrasps += memory.let_go;
+    memory.let_go = 0;
+    // the thread tells its tension where it is pressed hardest: where that is the tail, the stitch tells what the long end pulls
+    memory.long_tension = look.grip[0] >= look.grip[1] ? look.tension_grip : look.tension;
+  }
+  if (had && memory.has[0] == 0 && look.word.throws < rules_.asked.throws) {
+    const bool opened = look.squeeze < rules_.force_low;
+    const bool between = look.word.throws > 0 && std::abs(look.turns) < kWound;
+    const bool laid = opened && between && memory.long_tension < rules_.slack;
+    memory.let_go = laid ? 1 : 0, memory.let_go_s = 0;
+    return !laid;
+  }
+  if (memory.let_go == 0) return false;
+  memory.let_go_s += look.dt_s;
+  if (memory.let_go_s < rules_.retake_time) return false;
+  memory.let_go = 0;
+  return true;
 }
 
 void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {

@@ -38,6 +38,8 @@ struct Rules {
   double max_time = 240;                    // s
   double max_over_time = 2;                 // s
   double wrong_time = 10;                   // s, for which a wrong knot may last
+  double slack = 5e-3;                      // N, below it a long end is laid down. The bent thread of a knot keeps some mN, a drawn one has 15 and springs
+  double retake_time = 15;                  // s, until it is to be held again: the hands take 4 to 7. Shorter, a student who looks for it has dropped it
   int max_drops = 2;
   bool ends = true;  // limits of force and time end the attempt
 };
@@ -47,6 +49,8 @@ struct Look {
   double time_s = 0, dt_s = 1e-3;
   double grip[2] = {0, 0};  // N, of the winder and of the holder on the thread
   bool held[2] = {false, false};
+  double squeeze = 1e300;      // N, what the winder's hand puts on its jaws; of a gripper that does not tell it, no end is let go of
+  double tension_grip = 0;     // N, of the thread beside the place where it is pressed hardest
   Vec3 tip_W[2] = {Vec3::Zero(), Vec3::Zero()};
   double turns = 0;  // about the holder
   Word word;
@@ -64,6 +68,8 @@ struct Memory {
   lessons::PathState path[2];
   lessons::GripState grip[2], pull;  // of the jaws; of the thread
   double has[2] = {0, 0};            // 0 or 1: the thread is held, and its grip force has not ceased since
+  double let_go = 0, let_go_s = 0, regrasps = 0;  // 0 or 1: the long end was laid down; s, since then; times that it was taken anew
+  double long_tension = 0;           // N, of the long end while it was last held
   double throws = 0, most_like = 0, undone = 0, wrong = 0, is_wrong = 0, drops = 0, passages = 0;
   double held_s = 0, over_s = 0, taut_s = 0;
   double least_gap = 1, cut = 0, tail = 0;  // m
@@ -103,6 +109,7 @@ class Judge {
 
  private:
   void follow_hands(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  bool drops(Memory& memory, const Look& look, bool had) const noexcept;
   void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_knot(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Look& look, const Finding& finding, bool good) const noexcept;

@@ -107,6 +107,8 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
   loop_ = signal(p.knot, "knot.loop");
   through_itself_ = signal(p.thread, "thread.passed");
   parted_ = signal(p.thread, "thread.parted");
+  tension_grip_ = signal(p.thread, "thread.tension_grip");
+  squeeze_ = scene.find_signal(p.winder, "grip.command");
 }
 
 void KnotLesson::activate(double dt_s) {
@@ -119,6 +121,8 @@ void KnotLesson::activate(double dt_s) {
   rules.tension = p.tension;
   rules.most_cut = p.most_cut;
   rules.wrong_time = p.wrong_time;
+  rules.slack = p.slack;
+  rules.retake_time = p.retake_time;
   judge_ = Judge(rules, dt_s);
 }
 
@@ -149,6 +153,8 @@ bool KnotLesson::read(const View& view, Look& look) const {
   look.tail = view.signal(side_[0].tail);
   look.turns = view.signal(turns_);
   look.parted = view.signal(parted_);
+  look.tension_grip = view.signal(tension_grip_);
+  if (squeeze_.valid()) look.squeeze = view.signal(squeeze_);
   read_knot(view, look);
   return true;
 }
@@ -232,6 +238,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kCut, m.cut);
   tell(verdict, Measure::kTail, look.tail);
   tell(verdict, Measure::kDrops, m.drops);
+  tell(verdict, Measure::kRegrasps, m.regrasps);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
   lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));

@@ -32,6 +32,8 @@ struct KnotLessonParams {
   double max_time = Rules{}.max_time;                        // s
   double max_over_time = Rules{}.max_over_time;              // s
   double wrong_time = Rules{}.wrong_time;                    // s
+  double slack = Rules{}.slack;                              // N
+  double retake_time = Rules{}.retake_time;                  // s
   int max_drops = Rules{}.max_drops;
 };
 
@@ -75,6 +77,8 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
       real<&P::max_time>("max_time", "Time limit", "s", "s", 1, 36000, "The attempt fails when it is over.").group("Limits"),
       real<&P::max_over_time>("max_over_time", "Too hard for", "s", "s", 0, 600, "The attempt fails when the thread was gripped too hard for longer than this.").group("Limits"),
       real<&P::wrong_time>("wrong_time", "Wrong for", "s", "s", 0.1, 600, "The attempt fails when another knot with all its throws has been there for this long.").group("Limits"),
+      real<&P::slack>("slack", "Laid down below", "N", "mN", 0, 10, "A long end that the hand lets go of between two throws, with nothing wound, is laid down and not dropped when its tension is below this: one that is drawn springs out of the jaws.").group("Limits"),
+      real<&P::retake_time>("retake_time", "Taken anew within", "s", "s", 0, 600, "A long end that was laid down and is not held again after this time is dropped.").group("Limits"),
       integer<&P::max_drops>("max_drops", "Drops", 0, 100, "The attempt fails when the thread got out of the jaws more often than this.").group("Limits"),
   };
 
@@ -116,7 +120,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
-  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_;
+  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, tension_grip_, squeeze_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];
   Event dropped_, undone_, failed_[10];

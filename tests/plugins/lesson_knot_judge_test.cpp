@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <vector>
@@ -189,6 +190,48 @@ TEST(KnotJudge, ALongEndThatIsDrawnOutOfClosedJawsIsADrop) {
   EXPECT_TRUE(a.go(1).dropped);
   EXPECT_EQ(a.go(100).stage, Stage::kTake);
   EXPECT_EQ(a.memory.drops, 1);
+}
+
+/// Both ends held and the first of two throws tied; the jaws that wind then let go with what the hand and the thread did, for `away` ms.
+Attempt let_go(double squeeze, double tension, double turns, double throws, int away) {
+  Rules rules;
+  rules.asked = word({2, -1});
+  Attempt a(rules);
+  a.now.squeeze = 0.3;
+  if (throws > 0) a.now.word = word({2});
+  a.now.tension_grip = tension, a.now.turns = turns;
+  a.go(100);
+  for (const double force : {0.2, 0.1, 0.04, 0.0}) a.now.grip[0] = force, a.now.squeeze = std::min(0.3, squeeze + force), a.go(1);
+  a.now.held[0] = false, a.now.tension_grip = 0;
+  a.go(away);
+  return a;
+}
+
+// a surgeon lays the long end down between two throws and takes it nearer to the knot
+TEST(KnotJudge, ALongEndLaidDownBetweenTwoThrowsAndTakenAnewIsNoDrop) {
+  Attempt a = let_go(0, 1e-3, 0.1, 1, 14000);
+  EXPECT_EQ(a.memory.drops, 0);
+  EXPECT_EQ(a.memory.regrasps, 0);
+  a.hold(0.3), a.go(100);
+  EXPECT_EQ(a.memory.drops, 0);
+  EXPECT_EQ(a.memory.regrasps, 1);
+  a.go(20000);
+  EXPECT_EQ(a.memory.drops, 0) << "taken anew";
+  EXPECT_EQ(a.memory.regrasps, 1);
+  Attempt gone = let_go(0, 1e-3, 0.1, 1, 16000);
+  EXPECT_EQ(gone.memory.drops, 1) << "not taken anew within 15 s";
+  gone.hold(0.3), gone.go(100);
+  EXPECT_EQ(gone.memory.drops, 1);
+  EXPECT_EQ(gone.memory.regrasps, 0);
+}
+
+TEST(KnotJudge, ALongEndThatSlipsOutOrIsDrawnOrWoundIsADrop) {
+  EXPECT_EQ(let_go(0.3, 1e-3, 0, 1, 10).memory.drops, 1) << "the jaws stayed closed";
+  EXPECT_EQ(let_go(0, 8e-3, 0, 1, 10).memory.drops, 1) << "it was drawn, and springs";
+  EXPECT_EQ(let_go(0, 1e-3, -0.9, 1, 10).memory.drops, 1) << "wound about the holder";
+  EXPECT_EQ(let_go(0, 1e-3, 0, 0, 10).memory.drops, 1) << "nothing is tied that would stay";
+  // a gripper that does not tell what the hand puts on its jaws
+  EXPECT_EQ(let_go(1e300, 1e-3, 0, 1, 10).memory.drops, 1);
 }
 
 TEST(KnotJudge, GrippingTooHardEndsATestAndNotPractice) {
