@@ -21,19 +21,23 @@ BandedBlocks::BandedBlocks(uint32_t max_blocks, uint32_t max_fill)
   row_.resize(max_fill), place_.resize(size_t{max_blocks} * max_blocks);
   update_.resize(8 * static_cast<size_t>(max_fill));
   diagonal_.resize(max_blocks), lower_.resize(max_fill), upper_.resize(max_fill);
+  late_diagonal_.resize(max_blocks), late_lower_.resize(max_fill);
   y_.resize(4 * static_cast<size_t>(max_blocks));
 }
 
-bool BandedBlocks::analyse(uint32_t blocks, std::span<const Pair> coupled) noexcept {
+bool BandedBlocks::analyse(uint32_t blocks, std::span<const Pair> coupled, std::span<const uint8_t> late) noexcept {
   n_ = blocks, updates_ = 0;
   first_[0] = 0;
-  if (blocks <= max_blocks_ && order(coupled) && list_updates()) return true;
+  done_ = 0, early_ = blocks - static_cast<uint32_t>(std::count(late.begin(), late.end(), uint8_t{1}));
+  if (blocks <= max_blocks_ && order(coupled, late) && list_updates()) return true;
   n_ = 0;
   return false;
 }
 
-/// Minimum degree order: eliminates the block of least degree, couples its neighbours with each other, and repeats.
-bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
+/// Minimum degree order: eliminates the block of least degree, couples its neighbours with each other, and repeats. Late blocks count as
+/// of a degree beyond that of any other.
+bool BandedBlocks::order(std::span<const Pair> coupled, std::span<const uint8_t> late) noexcept {
+  constexpr uint32_t kLate = uint32_t{1} << 20;
   std::fill_n(near_.begin(), static_cast<size_t>(n_) * words_, uint64_t{0});
   const auto join = [&](uint32_t a, uint32_t b) { line(a)[b / 64] |= uint64_t{1} << (b % 64); };
   for (const Pair& p : coupled)
@@ -44,13 +48,14 @@ bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
     return bits;
   };
   constexpr uint32_t kGone = ~uint32_t{0};
-  for (uint32_t i = 0; i < n_; ++i) degree_[i] = count(i);
+  const auto degree = [&](uint32_t i) { return count(i) + (!late.empty() && late[i] ? kLate : 0); };
+  for (uint32_t i = 0; i < n_; ++i) degree_[i] = degree(i);
   uint32_t entries = 0;
   for (uint32_t k = 0; k < n_; ++k) {
     uint32_t least = 0;
     for (uint32_t i = 1; i < n_; ++i)
       if (degree_[i] < degree_[least]) least = i;
-    if (entries + degree_[least] > max_fill_) return false;
+    if (entries + degree_[least] % kLate > max_fill_) return false;
     of_[k] = least, at_[least] = k, degree_[least] = kGone;
     first_[k] = entries;
     for (uint32_t w = 0; w < words_; ++w)
@@ -61,7 +66,7 @@ bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
       for (uint32_t w = 0; w < words_; ++w) line(i)[w] |= line(least)[w];
       line(i)[i / 64] &= ~(uint64_t{1} << (i % 64));
       line(i)[least / 64] &= ~(uint64_t{1} << (least % 64));
-      degree_[i] = count(i);
+      degree_[i] = degree(i);
     }
   }
   first_[n_] = entries;
@@ -89,6 +94,7 @@ bool BandedBlocks::list_updates() noexcept {
 }
 
 void BandedBlocks::set_zero() noexcept {
+  done_ = 0;
   for (uint32_t i = 0; i < n_; ++i) diagonal_[i].setZero();
   for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e].setZero(), upper_[e].setZero();
 }
@@ -122,19 +128,44 @@ BlockStore BandedBlocks::store() const noexcept {
   return {numbers(diagonal_), numbers(lower_), numbers(upper_), row_.data(), first_.data(), n_};
 }
 
-bool BandedBlocks::factor(bool symmetric) noexcept {
-  symmetric_ = symmetric, negative_ = 0;
-  // symmetric: each block was added in one half or the other
-  if (symmetric)
-    for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
+bool BandedBlocks::eliminate(uint32_t from, uint32_t to, bool symmetric) noexcept {
+  symmetric_ = symmetric;
   const BlockStore blocks = store();
-  for (uint32_t k = 0; k < n_; ++k) {
+  for (uint32_t k = from; k < to; ++k) {
     if (!split(diagonal_[k])) return false;
     const BlockColumn column{k, first_[k], first_[k + 1] - first_[k], update_.data() + first_update_[k],
                              update_.data() + first_update_[k + 1]};
     fours_ ? eliminate_by_fours(blocks, column, symmetric) : eliminate_by_twos(blocks, column, symmetric);
   }
   return true;
+}
+
+bool BandedBlocks::factor_early() noexcept {
+  negative_ = 0;
+  for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
+  if (!eliminate(0, early_, true)) return false;
+  std::copy(diagonal_.begin() + early_, diagonal_.begin() + n_, late_diagonal_.begin() + early_);
+  std::copy(lower_.begin() + first_[early_], lower_.begin() + first_[n_], late_lower_.begin() + first_[early_]);
+  done_ = early_;
+  return true;
+}
+
+void BandedBlocks::take_late(bool symmetric) noexcept {
+  std::copy(late_diagonal_.begin() + done_, late_diagonal_.begin() + n_, diagonal_.begin() + done_);
+  const uint32_t first = first_[done_], last = first_[n_];
+  std::copy(late_lower_.begin() + first, late_lower_.begin() + last, lower_.begin() + first);
+  if (symmetric)
+    for (uint32_t e = first; e < last; ++e) upper_[e].setZero();
+  else
+    std::copy(late_lower_.begin() + first, late_lower_.begin() + last, upper_.begin() + first);
+}
+
+bool BandedBlocks::factor(bool symmetric) noexcept {
+  negative_ = 0;
+  // symmetric: each block was added in one half or the other
+  if (symmetric)
+    for (uint32_t e = first_[done_]; e < first_[n_]; ++e) lower_[e] += upper_[e];
+  return eliminate(done_, n_, symmetric);
 }
 
 void BandedBlocks::solve(double* x) const noexcept {

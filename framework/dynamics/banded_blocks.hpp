@@ -7,7 +7,8 @@
 // with the number of coupled blocks, not with the square of the number of contacts.
 //
 // analyse() orders the blocks for little fill-in (minimum degree, the lowest index of equals) and lists every update; it is
-// repeated only when pairs change. factor() computes L U without pivoting, within the blocks too; for a symmetric H, L D L' of
+// repeated only when pairs change. Blocks that no contact touches come first: factor_early() eliminates them once for all
+// the search directions of a solve, which differ by what contacts add to the late ones. factor() computes L U without pivoting, within the blocks too; for a symmetric H, L D L' of
 // one half alone. Its order of operations is fixed: the same bits at every level of optimisation.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates.
@@ -32,18 +33,28 @@ class BandedBlocks {
   /// Reserves room for `max_blocks` blocks on the diagonal and `max_fill` blocks below it, fill-in included.
   BandedBlocks(uint32_t max_blocks, uint32_t max_fill);
 
-  /// Sets the pattern: which blocks are coupled; pairs may repeat. False: there is no room for the fill-in.
-  bool analyse(uint32_t blocks, std::span<const Pair> coupled) noexcept;
+  /// Sets the pattern: which blocks are coupled; pairs may repeat. `late`: one number per block, 1 for those that are eliminated last;
+  /// empty: none. False: there is no room for the fill-in.
+  bool analyse(uint32_t blocks, std::span<const Pair> coupled, std::span<const uint8_t> late = {}) noexcept;
   uint32_t blocks() const noexcept { return n_; }
   /// Number of blocks below the diagonal, and of block products in factor().
   size_t fill() const noexcept { return row_.size() < first_[n_] ? row_.size() : first_[n_]; }
   size_t work() const noexcept { return updates_; }
+  /// Operations on blocks in factor() after take_late(), and in factor_early().
+  size_t late_work() const noexcept {
+    return updates_ - first_update_[early_] + 2 * size_t{first_[n_] - first_[early_]} + n_ - early_;
+  }
+  size_t early_work() const noexcept { return first_update_[early_] + 2 * size_t{first_[early_]} + early_; }
 
   void set_zero() noexcept;
   /// H(a, b) += M. For a symmetric H the caller adds (a, b) or (b, a), not both; otherwise both, each by its own call.
   void add(uint32_t a, uint32_t b, const Block& M) noexcept;
 
-  /// False where a pivot is zero or not finite or, if `symmetric`, negative.
+  /// Eliminates all blocks that are not late from a symmetric H. False where it is not positive definite.
+  bool factor_early() noexcept;
+  /// Takes the late blocks as factor_early() left them, for additions to them alone. `symmetric`: that of the next factor().
+  void take_late(bool symmetric) noexcept;
+  /// Eliminates the late blocks, or all after set_zero(). False where a pivot is zero or not finite or, if `symmetric`, negative.
   bool factor(bool symmetric) noexcept;
   /// x = H^-1 x, 4 numbers a block.
   void solve(double* x) const noexcept;
@@ -55,16 +66,18 @@ class BandedBlocks {
  private:
   using Blocks = std::vector<Block, Eigen::aligned_allocator<Block>>;
 
-  bool order(std::span<const Pair> coupled) noexcept;
+  bool order(std::span<const Pair> coupled, std::span<const uint8_t> late) noexcept;
   bool list_updates() noexcept;
   /// Index of the block at (row, column), both in elimination order.
   uint32_t& place(uint32_t row, uint32_t column) noexcept { return place_[size_t{row} * n_ + column]; }
   bool split(Block& D) noexcept;
+  bool eliminate(uint32_t from, uint32_t to, bool symmetric) noexcept;
   BlockStore store() const noexcept;
   uint64_t* line(uint32_t i) noexcept { return near_.data() + static_cast<size_t>(i) * words_; }
 
   uint32_t max_blocks_, max_fill_, words_;
   uint32_t n_ = 0;
+  uint32_t early_ = 0, done_ = 0;  // blocks that are not late; those that are eliminated for good
   size_t updates_ = 0;
   bool symmetric_ = true;
   uint32_t negative_ = 0;
@@ -77,6 +90,7 @@ class BandedBlocks {
   std::vector<uint32_t> first_update_;
   std::vector<BlockUpdate> update_;
   Blocks diagonal_, lower_, upper_;         // upper_: blocks above the diagonal, transposed
+  Blocks late_diagonal_, late_lower_;       // as factor_early() left them
   mutable std::vector<double> y_;
 };
 

@@ -33,6 +33,7 @@ SparseSpace::SparseSpace(uint32_t max_unknowns, const SparseRoom& room)
   // the band, bodies, and up to four blocks on either side of each constraint
   for (auto* pairs : {&pair_, &last_pair_}) pairs->reserve(2 * blocks + 4 * size_t{room.constraints});
   x_.resize(4 * blocks);
+  late_.reserve(blocks), last_late_.reserve(blocks);
 }
 
 uint32_t SparseSpace::blocks_of(const DofBlock& block) noexcept {
@@ -47,11 +48,12 @@ size_t SparseSpace::begin(const Island& island) noexcept {
   for (const DofBlock* block : island.blocks) first_.push_back(n_), n_ += blocks_of(*block);
   for (const Constraint& c : island.constraints) sides_.push_back({point(c.block_a, c, true), point(c.block_b, c, false)});
   find_pattern();
-  if (!ready_ || n_ != last_n_ || !same_pairs(pair_, last_pair_)) {
-    ready_ = H_.analyse(n_, pair_);
+  early_ = false;
+  if (!ready_ || n_ != last_n_ || late_ != last_late_ || !same_pairs(pair_, last_pair_)) {
+    ready_ = H_.analyse(n_, pair_, late_);
     work += 16 * size_t{n_} * n_;
     last_n_ = n_;
-    last_pair_.swap(pair_);
+    last_pair_.swap(pair_), last_late_.swap(late_);
   }
   return island.size;
 }
@@ -92,31 +94,52 @@ void SparseSpace::find_pattern() noexcept {
   for (const Sides& s : sides_)
     for (uint32_t i = 0; i < s.a.size; ++i)
       for (uint32_t k = 0; k < s.b.size; ++k) pair_.push_back({s.a.block[i], s.b.block[k]});
+  late_.assign(n_, 0);
+  for (const Sides& s : sides_)
+    for (const BlockPoint* p : {&s.a, &s.b})
+      for (uint32_t k = 0; k < p->size; ++k) late_[p->block[k]] = 1;
+  for (uint32_t m = 0; m < first_.size(); ++m)
+    if (island().blocks[m]->kind == DofBlock::Kind::kHinge) late_[first_[m]] = 1;
 }
 
-void SparseSpace::add_block(uint32_t block, const double* d, bool symmetric) noexcept {
+/// Adds the upper half of what does not change in a solve.
+void SparseSpace::add_block(uint32_t block) noexcept {
   const DofBlock& m = *island().blocks[block];
-  if (m.kind == DofBlock::Kind::kBanded) return m.band->add_stiffness(H_, first_[block], symmetric);
+  if (m.kind == DofBlock::Kind::kBanded) return m.band->add_stiffness(H_, first_[block], true);
   BandedBlocks::Block M = BandedBlocks::Block::Identity();
   const int moves = m.kind == DofBlock::Kind::kHinge ? 1 : 3;
   for (int i = 0; i < moves; ++i) M(i, i) = m.m_hh;
-  if (m.kind == DofBlock::Kind::kHinge) M(0, 0) += m.drive.stiffness(m.angle + d[m.offset]);
   H_.add(first_[block], first_[block], M);
   if (m.kind != DofBlock::Kind::kRigid) return;
   M.topLeftCorner<3, 3>() = m.I_hh;
   H_.add(first_[block] + 1, first_[block] + 1, M);
 }
 
+bool SparseSpace::factor_early() noexcept {
+  H_.set_zero();
+  for (uint32_t m = 0; m < first_.size(); ++m) add_block(m);
+  work += 64 * H_.early_work();
+  return H_.factor_early();
+}
+
 bool SparseSpace::assemble(const double* d) noexcept {
+  early_ = early_ || factor_early();
+  if (!early_) return false;
   symmetric_ = true;
   for (const Constraint& c : island().constraints) symmetric_ = symmetric_ && c.D.n1 == 0 && c.D.n2 == 0;
-  H_.set_zero();
-  for (uint32_t m = 0; m < first_.size(); ++m) add_block(m, d, symmetric_);
+  H_.take_late(symmetric_);
+  for (uint32_t m = 0; m < first_.size(); ++m) {
+    const DofBlock& block = *island().blocks[m];
+    if (block.kind != DofBlock::Kind::kHinge) continue;
+    BandedBlocks::Block M = BandedBlocks::Block::Zero();
+    M(0, 0) = block.drive.stiffness(block.angle + d[block.offset]);
+    H_.add(first_[m], first_[m], M);
+  }
   for (size_t i = 0; i < sides_.size(); ++i) {
     const Tangent& D = island().constraints[i].D;
     if (stiffens(D)) add_contact(H_, sides_[i].a, sides_[i].b, matrix(D), symmetric_);
   }
-  work += 64 * (symmetric_ ? 1 : 2) * (H_.work() + 2 * H_.fill() + n_) + 1000 * sides_.size();
+  work += 64 * (symmetric_ ? 1 : 2) * H_.late_work() + 1000 * sides_.size();
   return H_.factor(symmetric_);
 }
 

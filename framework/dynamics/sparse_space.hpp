@@ -34,13 +34,16 @@ class SparseSpace final : public DisplacementSpace {
   BlockPoint point(uint32_t block, const Constraint& c, bool is_a) const noexcept;
   void find_pattern() noexcept;
   bool assemble(const double* d) noexcept;
-  void add_block(uint32_t block, const double* d, bool symmetric) noexcept;
+  bool factor_early() noexcept;
+  void add_block(uint32_t block) noexcept;
 
   BandedBlocks H_;
   bool ready_ = false, symmetric_ = true;
+  bool early_ = false;           // blocks that nothing touches are eliminated
   std::vector<uint32_t> first_;  // block of H_ of each block of the island
   std::vector<Sides> sides_;     // per constraint
   std::vector<BandedBlocks::Pair> pair_, last_pair_;
+  std::vector<uint8_t> late_, last_late_;  // per block of H_: a constraint or the drive of a hinge changes it
   uint32_t n_ = 0, last_n_ = 0;  // blocks of H_
   std::vector<double> x_;        // 4 per block of H_
 };

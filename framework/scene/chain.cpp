@@ -13,13 +13,23 @@ ChainPlace place_on(const ChainView& chain, uint32_t i, const toolkit::Vec3& p_W
 }
 
 ChainPlace nearest_place(const ChainView& chain, const toolkit::Vec3& p_W) noexcept {
+  constexpr double kSurely = 1.001;  // of the least square so far: a segment beyond it is farther, whatever the rounding
   ChainPlace best;
   double least = HUGE_VAL;
+  toolkit::Vec3 p1 = chain.p(0), to1 = p_W - p1;
+  double far1 = to1.squaredNorm();  // m2, of the end
   for (uint32_t i = 0; i < chain.segments(); ++i) {
-    if (!(chain.radius(i) > 0) || chain.p(i) == chain.p(i + 1)) continue;
+    const toolkit::Vec3 p0 = p1, to0 = to1;
+    const double far0 = far1;
+    p1 = chain.p(i + 1), to1 = p_W - p1, far1 = to1.squaredNorm();
+    const toolkit::Vec3 u = p1 - p0;
+    const double length2 = u.squaredNorm(), along = u.dot(to0);
+    const bool inside = along > 0 && along < length2;
+    // the distance from the line is that from the segment or less; no quotient is needed to see that it is too far
+    if (inside ? far0 * length2 - along * along > kSurely * least * length2 : std::min(far0, far1) > kSurely * least) continue;
+    if (!(chain.radius(i) > 0) || p0 == p1) continue;
     const ChainPlace place = place_on(chain, i, p_W);
-    const double far =
-        ((1 - place.share) * chain.p(i) + place.share * chain.p(i + 1) - p_W).squaredNorm();
+    const double far = ((1 - place.share) * p0 + place.share * p1 - p_W).squaredNorm();
     if (far < least) least = far, best = place;
   }
   return best;

@@ -47,7 +47,9 @@ class Band {
       constexpr Back back = 1 - kColumn;
       double sum = 0;
       if (i >= B && i + B < n_) {
+#pragma GCC unroll 16
         for (int k = B; k >= 1; --k) sum += a[k * back] * x[i - k];
+#pragma GCC unroll 16
         for (int k = 0; k <= B; ++k) sum += a[k] * x[i + k];
       } else {
         for (int k = std::min(B, i); k >= 1; --k) sum += a[k * back] * x[i - k];
@@ -187,9 +189,22 @@ class Band {
   [[gnu::always_inline]] static void take(const double* l, Back dl, Back dx, int last, const double* x, const Line<V, R>& near,
                                           const Line<V, R>& next, Line<V, R>& now) {
     if (last == B)
-      take_all<V, R>(l, dl, dx, B, x, near, next, now);  // of a length that the compiler knows
+      take_whole<V, R>(l, dl, dx, x, near, next, now);
     else if (last >= 1)
       take_all<V, R>(l, dl, dx, last, x, near, next, now);
+  }
+  /// The same with last = B, written out: a loop costs more than what it does.
+  template <class V, int R>
+  [[gnu::always_inline]] static void take_whole(const double* l, Back dl, Back dx, const double* x, const Line<V, R>& near,
+                                                const Line<V, R>& next, Line<V, R>& now) {
+    Line<V, R> even = {};
+#pragma GCC unroll 16
+    for (int k = B; k >= 4; k -= 2) even.add(l[k * dl], x + k * dx);
+#pragma GCC unroll 16
+    for (int k = B - 1; k >= 3; k -= 2) now.take(l[k * dl], x + k * dx);
+    even.add(l[2 * dl], next);
+    now.take(even);
+    now.take(l[dl], near);
   }
   template <class V, int R>
   [[gnu::always_inline]] static void take_all(const double* l, Back dl, Back dx, int last, const double* x,

@@ -176,6 +176,8 @@ class Rod {
   double linear_tension(int j) const { return cut_[at(j)] ? 0.0 : tension_[at(j)]; }
   /// Angle over length at an inner node [1/m].
   double curvature(const RodState& s, int i) const;
+  /// Largest of all inner nodes [1/m].
+  double most_curvature(const RodState& s) const;
   /// Twist from the first to the last node, in turns.
   double turns(const RodState& s) const;
 

@@ -47,6 +47,8 @@ class RodEdges {
   void twists(const double* director, double* sine, double* cosine) const {
     has_fours() ? twists_by_fours(director, sine, cosine) : twists_with<Twos>(director, sine, cosine);
   }
+  /// From each edge but the last to the next: 2 tan of half the angle.
+  void bends(double* bend) const { has_fours() ? bends_by_fours(bend) : bends_with<Twos>(bend); }
 
  private:
   template <class V>
@@ -86,6 +88,14 @@ class RodEdges {
       t.dot(d.cross(next)).store(sine + j), d.dot(next).store(cosine + j);
     });
   }
+  template <class V>
+  [[gnu::always_inline]] void bends_with(double* bend) const {
+    for_each<V>(n_ - 1, [=, this](auto v, size_t j) __attribute__((always_inline)) {
+      const auto e = this->t(v, j), f = this->t(v, j + 1);
+      ((2.0 / (1.0 + e.dot(f))) * e.cross(f)).norm().store(bend + j);
+    });
+  }
+  SWAGE_FOURS void bends_by_fours(double* bend) const { bends_with<Fours>(bend); }
   SWAGE_FOURS void find_by_fours(const double* nodes) { find_with<Fours>(nodes); }
   SWAGE_FOURS void carry_by_fours(const RodEdges& to, const double* director, double* carried) const {
     carry_with<Fours>(to, director, carried);

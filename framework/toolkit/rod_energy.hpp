@@ -131,6 +131,7 @@ inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) c
   if (i == n_ - 1) d.f = {}, d.ff = {}, d.ef = {}, d.e_tf = {}, d.f_te = {};
   const int a = 4 * (i - 1), b = 4 * i, c = 4 * (i + 1);  // first unknowns of the three nodes
   const bool has_e = i > 0, has_f = i < n_ - 1;
+#pragma GCC unroll 3
   for (int r = 0; r < 3; ++r) {
     if (has_e) gradient[a + r] -= d.e[r].x;
     gradient[b + r] += d.e[r].x - d.f[r].x;
@@ -148,14 +149,18 @@ inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) c
 inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) {
   double* turn = H.column(a + 3);
   turn[0] += d.te_te.x;
+#pragma GCC unroll 3
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(a + col) - col;  // entry of unknown a + k at h[k]
+#pragma GCC unroll 3
     for (int r = col; r < 3; ++r) h[r] += d.ee[col][r].x;
     h[3] -= d.e_te[col].x;
+#pragma GCC unroll 3
     for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ee[col][r].x;
     turn[1 + col] += d.e_te[col].x - d.f_te[col].x;
     if (!has_f) continue;
     h[7] -= d.e_tf[col].x;
+#pragma GCC unroll 3
     for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef[r][col].x;
     turn[5 + col] += d.f_te[col].x;
   }
@@ -163,11 +168,14 @@ inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) 
 }
 
 inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) {
+#pragma GCC unroll 3
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(b + col) - col;
+#pragma GCC unroll 3
     for (int r = col; r < 3; ++r) h[r] += (d.ee[col][r].x + d.ff[col][r].x) - (d.ef[col][r].x + d.ef[r][col].x);
     if (!has_f) continue;
     h[3] += d.e_tf[col].x - d.f_tf[col].x;
+#pragma GCC unroll 3
     for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ff[col][r].x;
   }
 }
@@ -176,9 +184,11 @@ inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) 
 inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
   double* turn = H.column(c - 1);
   turn[0] += d.tf_tf.x;
+#pragma GCC unroll 3
   for (int col = 0; col < 3; ++col) {
     turn[1 + col] += d.f_tf[col].x;
     double* h = H.column(c + col) - col;
+#pragma GCC unroll 3
     for (int r = col; r < 3; ++r) h[r] += d.ff[col][r].x;
   }
 }
@@ -188,12 +198,15 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
   const double L = rest_[at(j)], k = section_.stretching / L;
   const Vec3 f = (k * (1 / e.inverse - L)) * e.t;
   const int a = 4 * j, b = a + 4;
+#pragma GCC unroll 3
   for (int r = 0; r < 3; ++r) gradient[a + r] -= f[r], gradient[b + r] += f[r];
   if (hessian == nullptr) return;
   const double side = tension_[at(j)] * e.inverse;
   const Vec3 along = (k - side) * e.t;
+#pragma GCC unroll 3
   for (int col = 0; col < 3; ++col) {
     double *Ha = hessian->column(a + col) - col, *Hb = hessian->column(b + col) - col;
+#pragma GCC unroll 3
     for (int r = 0; r < 3; ++r) {
       const double K = e.t[r] * along[col] + (r == col ? side : 0);
       if (r >= col) Ha[r] += K, Hb[r] += K;
@@ -272,6 +285,13 @@ inline double Rod::tension(const RodState& s, int j) const {
 
 inline double Rod::curvature(const RodState& s, int i) const {
   return joint(s, i).curvature().norm().x / joint_length(i);
+}
+
+inline double Rod::most_curvature(const RodState& s) const {
+  now_.find(s.x), now_.bends(sine_.data());
+  double most = 0;
+  for (int i = 1; i < n_ - 1; ++i) most = std::max(most, sine_[at(i - 1)] / joint_length(i));
+  return most;
 }
 
 inline double Rod::turns(const RodState& s) const {

@@ -197,18 +197,17 @@ void Thread::finish(const Step& step) {
   const ChainState chain = step.chain(0, vertices());
   const int last = params_.segments - 1;
   const double* grip = this->grip(step);
-  double most = 0, bend = 1, parted = 0, beside = 0;
+  double most = 0, parted = 0, beside = 0;
   for (int j = 0; j <= last; ++j) {
     most = std::max(most, rod_.linear_tension(j));
     parted += chain.radius[at(j)] == 0;
     if (grip[0] <= grip[1] && j >= grip[0] - 1 && j <= grip[1] + 1) beside = std::max(beside, rod_.linear_tension(j));
   }
-  for (int i = 1; i <= last; ++i) bend = std::max(bend, rod_.curvature(s, i));
   step.signal(tension_first_, rod_.linear_tension(0));
   step.signal(tension_last_, rod_.linear_tension(last));
   step.signal(tension_grip_, beside);
   step.signal(tension_, most);
-  step.signal(bend_radius_, 1 / bend);
+  step.signal(bend_radius_, 1 / std::max(1.0, rod_.most_curvature(s)));
   step.signal(parted_, parted);
   count_passages(step);
   step.signal(passed_, passed(step));
