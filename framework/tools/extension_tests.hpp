@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tests of the validator for what a plugin may offer beside its own table: a solver, a surface, dents, traits with functions; and
+// Tests of the validator for what a plugin may offer beside its own table: a solver, a surface, what is drawn, traits with functions; and
 // the driver of a device that is not asked in the step; a device that sees. Each says what it skipped and why.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace swage::tools {
 
 /// An object's solver: answers symmetric, positive semi-definite, twice the same bits; equal for a part of the points; after
-/// the impulses the points move as v_free + W j says; surface and dents are numbers.
+/// the impulses the points move as v_free + W j says; surface and what is drawn are numbers.
 host::Finding solver(const TestScene& scene, uint64_t seed);
 
 /// Every trait of an object that has functions, asked near, far, and beyond its ends.

@@ -74,36 +74,6 @@ typedef struct swage_ties {
   swage_result (*on_solved)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] same, solved */
 } swage_ties;
 
-/* What is drawn on the surface of object b: torn places, as flat capsules. Those of one wound are one region. Places are those of
- * now along the surface, and at rest across it: of b's dents only what is along normal_W displaces them. */
-#define SWAGE_EXT_TEARS "swage.coupling.tears/1"
-typedef struct swage_tear {
-  swage_vec3 a_W, b_W; /* m, ends of the capsule's middle line */
-  swage_vec3 normal_W; /* unit, of the surface */
-  double radius;       /* m */
-  uint32_t wound;      /* counts from 0 */
-  uint32_t reserved;
-} swage_tear;
-typedef struct swage_tears {
-  swage_result (*tears)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n); /* [rt] */
-} swage_tears;
-
-/* Of each torn region what its capsules do not say: where it leads, how far it is open, whether something is in it. */
-#define SWAGE_EXT_WOUNDS "swage.coupling.wounds/1"
-typedef struct swage_wound {
-  swage_vec3 p_W;      /* m, where the section of what tore it is, or was last; a place like those of a tear */
-  swage_vec3 inward_W; /* unit, the way that leads from there into b */
-  double depth;        /* m, how far along that way b has been opened */
-  double area;         /* m2, of the region */
-  uint32_t wound;      /* as in swage_tear */
-  uint32_t filled;     /* 1: something is in it, 0: it is empty */
-} swage_wound;
-typedef struct swage_wounds {
-  swage_result (*wounds)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_wound* out, uint32_t* n); /* [rt] */
-} swage_wounds;
-
-SWAGE_STATIC_ASSERT(sizeof(swage_tear) == 88, "frozen layout");
-SWAGE_STATIC_ASSERT(sizeof(swage_wound) == 72, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact) == 136, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_tie) == 168, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_ties) == 16, "frozen layout");
