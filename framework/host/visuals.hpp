@@ -9,7 +9,7 @@
 
 namespace swage::host {
 
-enum class VisualFault { kNone, kKind, kBody, kNumber, kSize, kStrength };
+enum class VisualFault { kGood, kKind, kBody, kNumber, kSize, kStrength };
 
 /// `bodies`: of the object on which it is drawn. [any]
 inline VisualFault fault_of(const swage_visual& v, uint32_t bodies) noexcept {
@@ -19,7 +19,7 @@ inline VisualFault fault_of(const swage_visual& v, uint32_t bodies) noexcept {
   if (v.body >= bodies && v.body != SWAGE_NONE) return VisualFault::kBody;
   if (!near(v.a) || !near(v.b) || !near(v.direction) || !std::isfinite(v.radius)) return VisualFault::kNumber;
   if (v.radius < 0 || (v.kind == SWAGE_VISUAL_DENT && v.radius == 0)) return VisualFault::kSize;
-  return v.strength >= 0 && v.strength <= 1 ? VisualFault::kNone : VisualFault::kStrength;
+  return v.strength >= 0 && v.strength <= 1 ? VisualFault::kGood : VisualFault::kStrength;
 }
 
 }  // namespace swage::host

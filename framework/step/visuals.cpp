@@ -39,7 +39,7 @@ void ask(const Asked& asked, snapshot::Snapshot& out) noexcept {
   const bool given = host::guarded(asked.instance, host::Call::kDraw, asked.on.step, [&] {
     return asked.table->draw(asked.instance.raw, asked.object, asked.coupling, room, list, &n);
   });
-  const auto good = [&](const swage_visual& v) { return host::fault_of(v, asked.on.n_body) == host::VisualFault::kNone; };
+  const auto good = [&](const swage_visual& v) { return host::fault_of(v, asked.on.n_body) == host::VisualFault::kGood; };
   if (!given || n > room || !std::all_of(list, list + n, good)) return;
   for (uint32_t k = 0; k < n; ++k) out.visual[out.n_visual++] = {in_world(list[k], asked.on.X_WB), asked.on_object, asked.by_coupling};
 }

@@ -35,7 +35,7 @@ std::string wrong_in(const swage_visual& v, uint32_t bodies) {
       return say::kVisualSize(format("%g", v.radius));
     case host::VisualFault::kStrength:
       return say::kVisualStrength(format("%g", v.strength));
-    case host::VisualFault::kNone:
+    case host::VisualFault::kGood:
       break;
   }
   return "";
