@@ -6,10 +6,10 @@
 #pragma once
 
 #include <swage/abi/coupling.h>
-#include <swage/abi/visual.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/sight.h>
+#include <swage/abi/visual.h>
 
 #include <memory>
 #include <string>
