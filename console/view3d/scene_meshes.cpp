@@ -127,7 +127,7 @@ void SceneMeshes::place(double mm_per_pixel) {
     m.rotate(to_qt(X.q));
     renderer_.set_pose(static_cast<int>(i), m);
   }
-  if (scene_.have_snapshot()) soft_.place(scene_);
+  if (scene_.have_snapshot()) soft_.place(scene_, mm_per_pixel);
 }
 
 void SceneMeshes::place_threads(double mm_per_pixel) {

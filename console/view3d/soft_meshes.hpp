@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Soft objects in the renderer: their surface with its dents, and the wounds in it. [main]
+// What objects have drawn on them (swage.visual/1) in the renderer: dented surfaces, the wounds in them, lines, discs, tubes. [main]
 #pragma once
 
 #include <array>
@@ -19,21 +19,21 @@ class SoftMeshes {
   /// Adds the parts of the wounds after those of the scene; all surfaces are at rest.
   void add();
   void colour(const UiTheme& ui);
-  /// Updates surfaces and wounds from the last snapshot.
-  void place(const SceneState& scene);
+  /// As the last snapshot has them. `mm_per_pixel`: of the first panel, for lines.
+  void place(const SceneState& scene, double mm_per_pixel);
   /// The greatest wound in the scene; there() is false when there is none.
   const WoundPlace& wound() const { return wound_; }
   /// The object that has it.
   uint32_t wounded_object() const { return wounded_object_; }
 
  private:
-  enum Depth : size_t { kLip, kFlesh, kDepth };
+  enum Depth : size_t { kLip, kFlesh, kDepth, kInk };
   Renderer& renderer_;
   std::set<int> dented_;  // parts with a displaced surface
   WoundPlace wound_;
   uint32_t wounded_object_ = 0;
   bool drawn_ = false;
-  std::array<int, 3> part_{-1, -1, -1};  // parts of the wounds, by Depth
+  std::array<int, 4> part_{-1, -1, -1, -1};  // by Depth
 };
 
 }  // namespace swage::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tests of the validator for extensions: a solver, a surface, dents, traits with functions; the driver of a device that is not
+// Tests of the validator for what a plugin may offer beside its own table: a solver, a surface, what is drawn, traits with functions; and
 // LOCKSTEP; a device that observes the scene. Each reports what it skipped and why.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace swage::tools {
 
 /// Tests an object's solver: W symmetric and positive semi-definite, the same bits twice, the same values for a part of the points;
-/// after impulses the points move by v_free + W j; surface and dents are finite.
+/// the impulses the points move as v_free + W j says; surface and what is drawn are numbers.
 host::Finding solver(const TestScene& scene, uint64_t seed);
 
 /// Tests every trait of an object that has functions, at places near, far, and beyond its ends.

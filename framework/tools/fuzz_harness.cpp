@@ -12,6 +12,7 @@
 #include "scene/view.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
+#include "tools/visual_test.hpp"
 
 namespace swage::tools {
 
@@ -19,7 +20,7 @@ namespace {
 
 // numbers of contacts in a step; a grasp has about ten, a needle in a tray about three
 constexpr uint32_t kContacts[] = {0, 1, 3, 17, 64};
-// capacity for ties, tears and wounds
+// ties that there is room for
 constexpr uint32_t kRoom = 64;
 
 swage_quat turn(base::Xoshiro256& random) {
@@ -176,24 +177,13 @@ class Coupling final : public FuzzHarness {
       if (!(x >= 0)) report_fault(say::kTieStiffness(format("%g", x)));
   }
 
-  // calls for its torn regions and wounds
+  // what it draws on object b
   void draw(bool poisoned) {
-    if (poisoned) return;
-    uint32_t n = 0;
-    if (slot_.tears != nullptr) {
-      std::vector<swage_tear> tear(kRoom + 1);
-      call(host::Call::kTears, [&] { return slot_.tears->tears(slot_.instance->raw, &step_, kRoom, tear.data(), &n); });
-      if (n > kRoom) report_fault(say::kTooMany(n, "tears", kRoom));
-      for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-        if (!host::finite(&tear[i].a_W.x, 10)) report_fault(say::kTear());
-    }
-    if (slot_.wounds == nullptr) return;
-    std::vector<swage_wound> wound(kRoom + 1);
-    n = 0;
-    call(host::Call::kWounds, [&] { return slot_.wounds->wounds(slot_.instance->raw, &step_, kRoom, wound.data(), &n); });
-    if (n > kRoom) report_fault(say::kTooMany(n, "wounds", kRoom));
-    for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-      if (!host::finite(&wound[i].p_W.x, 8)) report_fault(say::kWound());
+    if (poisoned || slot_.visuals == nullptr) return;
+    const auto ask = [&](uint32_t capacity, swage_visual* out, uint32_t* n) {
+      return call(host::Call::kDraw, [&] { return slot_.visuals->draw(slot_.instance->raw, nullptr, &step_, capacity, out, n); });
+    };
+    if (const std::string wrong = visuals(ask, rig().objects[slot_.object_b].body.count, world_); !wrong.empty()) report_fault(wrong);
   }
   static bool sensible(const swage_contact& c) {
     return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&

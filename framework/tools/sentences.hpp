@@ -214,12 +214,10 @@ inline constexpr auto kUndeclared = "said {} {}; it has declared {}"_sentence;
 inline constexpr auto kSaidNotFinite = "said a number that is not finite for {} {}"_sentence;
 inline constexpr auto kContact = "left a contact with friction {}, stiffness {} N/m, restitution {}"_sentence;
 inline constexpr auto kSignalNotFinite = "wrote a signal that is not finite"_sentence;
-inline constexpr auto kTooMany = "gave {} {} where there is room for {}"_sentence;  // ties, tears, wounds
+inline constexpr auto kTooMany = "gave {} {} where there is room for {}"_sentence;  // ties
 inline constexpr auto kTiePlace = "gave a tie with a place or axis that is none"_sentence;
 inline constexpr auto kTieBody = "gave a tie to a body that is not there"_sentence;
 inline constexpr auto kTieStiffness = "gave a tie with a stiffness or strength of {}"_sentence;
-inline constexpr auto kTear = "gave a tear that is no number"_sentence;
-inline constexpr auto kWound = "gave a wound that is no number"_sentence;
 inline constexpr auto kMainThread = "called the host {} times from the step with what belongs on the main thread"_sentence;
 inline constexpr auto kDoesMore = "It does more than look."_sentence;
 inline constexpr auto kAllocates = "It allocated memory {} times in {} steps; nothing on [rt] may."_sentence;
@@ -249,8 +247,19 @@ inline constexpr auto kImpulsesNotFinite = "apply_impulses() leaves a speed that
 inline constexpr auto kNotCompared = "Motion after impulses was not compared: its surface does not move with its bodies."_sentence;
 inline constexpr auto kImpulsesOff = "After apply_impulses() the points do not move as v_free + W j says: {} m/s off, of a change of {} m/s."_sentence;
 inline constexpr auto kImpulsesSlip = "After apply_impulses() without impulses the points do not move as v_free says: {} m/s off."_sentence;
-inline constexpr auto kManyDents = "dents() writes {} dents where there is room for {}."_sentence;
-inline constexpr auto kDent = "dents() gives a dent that is no number, or no radius."_sentence;
+
+// what is drawn beside shapes
+inline constexpr auto kManyVisuals = "draw() writes {} primitives where there is room for {}"_sentence;
+inline constexpr auto kVisualBeyond = "draw() writes beyond the {} primitives that there is room for"_sentence;
+inline constexpr auto kVisualKind = "draw() gives a primitive of kind {} and tone {}, which nobody knows"_sentence;
+inline constexpr auto kVisualBody = "draw() gives a primitive on body {}, and its object has {}"_sentence;
+inline constexpr auto kVisualNumber = "draw() gives a primitive with a number that is not finite, or a place that is nowhere"_sentence;
+inline constexpr auto kVisualSize = "draw() gives a primitive with a radius of {} m"_sentence;
+inline constexpr auto kVisualStrength = "draw() gives a primitive with a strength of {}; it goes from 0 to 1"_sentence;
+inline constexpr auto kVisualMeddles = "draw() changes the scene; it may only look"_sentence;
+inline constexpr auto kVisualOther = "draw() gives other bits when it is asked the same again"_sentence;
+
+// of a solver, once more
 inline constexpr auto kNoSolver = "It has no solver of its own."_sentence;
 
 // faults of traits

@@ -21,6 +21,7 @@
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
+#include "tools/visual_test.hpp"
 
 namespace swage::tools {
 namespace {
@@ -272,26 +273,21 @@ class Solver {
   std::string note_;
 };
 
-std::string dents(Stepped& s, uint32_t object) {
+std::string drawn(Stepped& s, uint32_t object) {
   const host::ObjectSlot& slot = s.rig->objects[object];
-  if (slot.dents == nullptr) return "";
+  if (slot.visuals == nullptr) return "";
   scene::World& world = s.rig->world;
   const swage_input input{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
   const swage_object_step view =
       scene::view(world, {slot.body, slot.particle, slot.shape, slot.hinge, slot.state, slot.signal}, &input);
-  for (const uint32_t room : {0u, 1u, 16u}) {
-    // one element beyond the capacity, to test that it is not written
-    std::vector<swage_dent> out(room + 1, {{0, 0, 0}, {0, 0, 0}, -7});
-    uint32_t n = 0;
-    const host::ScopedRole rt(SWAGE_THREAD_RT);
-    host::guarded(*slot.instance, host::Call::kDents, world.step,
-                  [&] { return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n); });
-    if (slot.instance->quarantined.load() != 0) return host::quarantine_text(*slot.instance);
-    if (n > room || out[room].radius != -7) return say::kManyDents(n, room);
-    for (uint32_t i = 0; i < n; ++i)
-      if (!host::finite(&out[i].p_W.x, 7) || !(out[i].radius > 0)) return say::kDent();
-  }
-  return "";
+  const host::ScopedRole rt(SWAGE_THREAD_RT);
+  const std::string wrong = visuals(
+      [&](uint32_t room, swage_visual* out, uint32_t* n) {
+        return host::guarded(*slot.instance, host::Call::kDraw, world.step,
+                             [&] { return slot.visuals->draw(slot.instance->raw, &view, nullptr, room, out, n); });
+      },
+      slot.body.count, world);
+  return slot.instance->quarantined.load() != 0 ? host::quarantine_text(*slot.instance) : wrong.empty() ? "" : wrong + ".";
 }
 
 // parameters to test: the defaults, and each value of each choice (levels of detail are choices)
@@ -306,7 +302,7 @@ std::vector<std::string> ways(const host::ParamTable& table) {
 }  // namespace
 
 Finding solver(const TestScene& scene, uint64_t seed) {
-  bool moved = false, drawn = false;
+  bool moved = false, draws = false;
   std::string note;
   for (const std::string& params : ways(scene.plugin().params)) {
     Stepped s;
@@ -316,17 +312,17 @@ Finding solver(const TestScene& scene, uint64_t seed) {
     if (!scene.make(wish, s, error)) continue;  // test "range" covers parameters that are refused
     const uint32_t subject = scene.subject(wish);
     Solver solver(s, subject, seed);
-    drawn |= s.rig->objects[subject].dents != nullptr;
+    draws |= s.rig->objects[subject].visuals != nullptr;
     for (int round = 0; round < 5; ++round) {
       std::string wrong = s.run(7);
-      if (wrong.empty()) wrong = dents(s, subject);
+      if (wrong.empty()) wrong = drawn(s, subject);
       if (wrong.empty() && solver.moves()) wrong = solver.check();
       if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : say::kParameters(params))};
     }
     moved |= solver.moves();
     if (!solver.note().empty()) note = solver.note();
   }
-  if (!moved && !drawn) return {Mark::kSkipped, say::kNoSolver()};
+  if (!moved && !draws) return {Mark::kSkipped, say::kNoSolver()};
   return {Mark::kSuccess, note};
 }
 

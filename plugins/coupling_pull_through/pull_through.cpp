@@ -217,28 +217,22 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
 }
 
 /// Marks entry and exit where they have been cut longer.
-uint32_t PullThrough::tears(const CouplingStep& step, std::span<swage_tear> out) {
+void PullThrough::draw(const CouplingStep& step, Visuals& out) {
   const auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
-  if (!site.good) return 0;
-  uint32_t n = 0;
+  if (!site.good) return;
   for (uint32_t k = 0; k < Passage::kHoles * static_cast<uint32_t>(state.count()); ++k) {
     const Passage& passage = state.bite[k / Passage::kHoles];
     const uint32_t i = k % Passage::kHoles;
     if (i >= passage.holes()) continue;
     const Hole& hole = passage.hole[i];
     const bool face = i == 0 || (passage.out != 0 && i + 1 == passage.holes());
-    if (!face || hole.cut < site.strand.radius || n == out.size()) continue;
+    if (!face || hole.cut < site.strand.radius) continue;
     const Vec3 normal = vec3(hole.normal), way = vec3(hole.p) - vec3(hole.first), flat = way - normal.dot(way) * normal;
-    swage_tear& tear = out[n];
-    tear = {};
-    tear.a_W = raw(site.world(hole.first));
-    tear.b_W = raw(Vec3(vec(tear.a_W) + toolkit::rotated(site.X_WO.q, flat)));
-    tear.normal_W = raw(toolkit::rotated(site.X_WO.q, normal));
-    tear.radius = site.strand.radius;
-    tear.wound = n++;
+    const swage_vec3 first_W = raw(site.world(hole.first));
+    out.tear(out.size(), first_W, raw(Vec3(vec(first_W) + toolkit::rotated(site.X_WO.q, flat))),
+             raw(toolkit::rotated(site.X_WO.q, normal)), site.strand.radius);
   }
-  return n;
 }
 
 }  // namespace swage::coupling_pull_through

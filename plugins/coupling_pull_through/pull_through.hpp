@@ -54,7 +54,7 @@ struct PullThroughState {
   }
 };
 
-class PullThrough final : public Coupling<PullThroughParams>, public Ties, public Tearing {
+class PullThrough final : public Coupling<PullThroughParams>, public Ties, public DrawingOnB {
  public:
   static constexpr auto id = "swage.coupling.pull_through";
   static constexpr auto version = "1.0.0";
@@ -101,7 +101,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
   void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
-  uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
+  void draw(const CouplingStep& step, Visuals& out) override;
 
  private:
   Site site(const CouplingStep& step) const {

@@ -14,6 +14,7 @@
 #include <swage/peer.hpp>
 #include <swage/plugin.hpp>
 #include <swage/step.hpp>
+#include <swage/visual.hpp>
 
 namespace swage {
 
@@ -61,17 +62,12 @@ class Ties {
   virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
 };
 
-/// Torn regions on the surface of object b; for drawing only.
-class Tearing {
+/// Draws on object b what its shapes do not show, as torn places; for the eye only.
+class DrawingOnB {
  public:
-  virtual ~Tearing() = default;
-  /// Writes at most out.size() capsules, returns how many. After finish(). [rt]
-  virtual uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) SWAGE_RT = 0;
-  /// Writes at most out.size() wounds, one for each number that tears() uses; returns how many. After finish(). [rt]
-  virtual uint32_t wounds(const CouplingStep& step, std::span<swage_wound> out) SWAGE_RT {
-    static_cast<void>(step), static_cast<void>(out);
-    return 0;
-  }
+  virtual ~DrawingOnB() = default;
+  /// After finish(), when a picture is taken. Changes nothing. [rt]
+  virtual void draw(const CouplingStep& step, Visuals& out) SWAGE_RT = 0;
 };
 
 namespace detail {
@@ -115,8 +111,7 @@ inline constexpr Entry kFinishCoupling{"finish", 14, kRt, When::kActive};
 inline constexpr Entry kResetCoupling{"reset", 15, kRt, When::kActive};
 inline constexpr Entry kTies{"ties", 23, kRt, When::kActive};
 inline constexpr Entry kOnSolved{"on_solved", 24, kRt, When::kActive};
-inline constexpr Entry kTears{"tears", 31, kRt, When::kActive};
-inline constexpr Entry kWounds{"wounds", 34, kRt, When::kActive};
+inline constexpr Entry kDrawOnB{"draw", 31, kRt, When::kActive};
 
 template <class List>
 constexpr auto null_terminated(const List& list) {
@@ -157,16 +152,12 @@ struct CouplingTables {
     return guarded<T>(i, kOnSolved, [&](auto&, Holder<T>& h) { part<Ties>(h).on_solved(CouplingStep(s), {tie, n}); });
   }
 
-  static swage_result tears(swage_instance* i, Raw s, uint32_t capacity, swage_tear* out,
-                            uint32_t* n) noexcept {
-    return guarded<T>(i, kTears, [&](auto&, Holder<T>& h) {
-      *n = part<Tearing>(h).tears(CouplingStep(s), {out, capacity});
-    });
-  }
-  static swage_result wounds(swage_instance* i, Raw s, uint32_t capacity, swage_wound* out,
-                             uint32_t* n) noexcept {
-    return guarded<T>(i, kWounds, [&](auto&, Holder<T>& h) {
-      *n = part<Tearing>(h).wounds(CouplingStep(s), {out, capacity});
+  static swage_result draw(swage_instance* i, const swage_object_step*, Raw s, uint32_t capacity, swage_visual* out,
+                           uint32_t* n) noexcept {
+    return guarded<T>(i, kDrawOnB, [&](auto&, Holder<T>& h) {
+      Visuals list({out, capacity});
+      part<DrawingOnB>(h).draw(CouplingStep(s), list);
+      *n = list.size();
     });
   }
 
@@ -186,11 +177,9 @@ struct CouplingTables {
       static constexpr swage_ties links{ties, on_solved};
       if (same(id, SWAGE_EXT_TIES)) return &links;
     }
-    if constexpr (std::is_base_of_v<Tearing, T>) {
-      static constexpr swage_tears torn{tears};
-      static constexpr swage_wounds open{wounds};
-      if (same(id, SWAGE_EXT_TEARS)) return &torn;
-      if (same(id, SWAGE_EXT_WOUNDS)) return &open;
+    if constexpr (std::is_base_of_v<DrawingOnB, T>) {
+      static constexpr swage_visuals drawing{draw};
+      if (same(id, SWAGE_EXT_VISUAL)) return &drawing;
     }
     return nullptr;
   }

@@ -10,6 +10,7 @@
 #include <swage/abi/object.h>
 #include <swage/plugin.hpp>
 #include <swage/step.hpp>
+#include <swage/visual.hpp>
 
 namespace swage {
 
@@ -74,12 +75,12 @@ class Surface {
                             double* u_W) SWAGE_RT = 0;
 };
 
-/// Dents of the surface that the shapes do not contain; for drawing only.
-class Dented {
+/// Something is drawn on it that its shapes do not show; for the eye only.
+class Drawing {
  public:
-  virtual ~Dented() = default;
-  /// Writes at most out.size() dents, returns how many. After finish(). [rt]
-  virtual uint32_t dents(const Step& step, std::span<swage_dent> out) SWAGE_RT = 0;
+  virtual ~Drawing() = default;
+  /// After finish(), when a picture is taken. Changes nothing. [rt]
+  virtual void draw(const Step& step, Visuals& out) SWAGE_RT = 0;
 };
 
 /// Its COLLIDES shapes resist penetration. A promise without functions.
@@ -136,7 +137,7 @@ inline constexpr Entry kNearest{"nearest", 32, kRt, When::kActive};
 inline constexpr Entry kLaw{"law", 33, kRt, When::kActive};
 inline constexpr Entry kLocateIn{"locate", 28, kRt, When::kActive};
 inline constexpr Entry kDisplacement{"displacement", 29, kRt, When::kActive};
-inline constexpr Entry kDents{"dents", 30, kRt, When::kActive};
+inline constexpr Entry kDraw{"draw", 30, kRt, When::kActive};
 
 /// The tables that object T offers, and the list of its traits.
 template <class T>
@@ -204,10 +205,12 @@ struct ObjectTables {
       part<Surface>(h).displacement(Step(s), {point, n}, u_W);
     });
   }
-  static swage_result dents(swage_instance* i, Raw s, uint32_t capacity, swage_dent* out,
-                            uint32_t* n) noexcept {
-    return guarded<T>(i, kDents, [&](auto&, Holder<T>& h) {
-      *n = part<Dented>(h).dents(Step(s), {out, capacity});
+  static swage_result draw(swage_instance* i, Raw s, const swage_coupling_step*, uint32_t capacity, swage_visual* out,
+                           uint32_t* n) noexcept {
+    return guarded<T>(i, kDraw, [&](auto&, Holder<T>& h) {
+      Visuals list({out, capacity});
+      part<Drawing>(h).draw(Step(s), list);
+      *n = list.size();
     });
   }
   static swage_result place(swage_instance* i, Raw s, double where, swage_piercing_place* out) noexcept {
@@ -252,9 +255,9 @@ struct ObjectTables {
       static constexpr swage_surface surface{displacement};
       if (same(id, SWAGE_EXT_SURFACE)) return &surface;
     }
-    if constexpr (std::is_base_of_v<Dented, T>) {
-      static constexpr swage_dents dented{dents};
-      if (same(id, SWAGE_EXT_DENTS)) return &dented;
+    if constexpr (std::is_base_of_v<Drawing, T>) {
+      static constexpr swage_visuals drawing{draw};
+      if (same(id, SWAGE_EXT_VISUAL)) return &drawing;
     }
     if constexpr (kPiercing) {
       static constexpr swage_piercing piercing{place, nearest};

@@ -74,36 +74,6 @@ typedef struct swage_ties {
   swage_result (*on_solved)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] the solved ties */
 } swage_ties;
 
-/* Torn regions for drawing on the surface of object b, as flat capsules; the capsules of one wound are one region. Positions along
- * the surface are the present ones; along normal_W they are those of the surface without dents, which the drawing adds. */
-#define SWAGE_EXT_TEARS "swage.coupling.tears/1"
-typedef struct swage_tear {
-  swage_vec3 a_W, b_W; /* m, ends of the capsule's middle line */
-  swage_vec3 normal_W; /* unit, of the surface */
-  double radius;       /* m */
-  uint32_t wound;      /* counts from 0 */
-  uint32_t reserved;
-} swage_tear;
-typedef struct swage_tears {
-  swage_result (*tears)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n); /* [rt] */
-} swage_tears;
-
-/* Direction, depth, area and content of each torn region. */
-#define SWAGE_EXT_WOUNDS "swage.coupling.wounds/1"
-typedef struct swage_wound {
-  swage_vec3 p_W;      /* m, centre of the section of the object that tore it, now or last; a position as in swage_tear */
-  swage_vec3 inward_W; /* unit, direction of the opening from p_W into b */
-  double depth;        /* m, to which b has been opened along inward_W */
-  double area;         /* m2, of the region */
-  uint32_t wound;      /* as in swage_tear */
-  uint32_t filled;     /* 1: an object is in it, 0: it is empty */
-} swage_wound;
-typedef struct swage_wounds {
-  swage_result (*wounds)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_wound* out, uint32_t* n); /* [rt] */
-} swage_wounds;
-
-SWAGE_STATIC_ASSERT(sizeof(swage_tear) == 88, "frozen layout");
-SWAGE_STATIC_ASSERT(sizeof(swage_wound) == 72, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact) == 136, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_tie) == 168, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_ties) == 16, "frozen layout");

@@ -107,18 +107,6 @@ typedef struct swage_surface {
                                double* u_W); /* [rt] */
 } swage_surface;
 
-/* Dents of a surface for drawing, on top of the shapes. A point of the surface at a distance r from p_W is displaced by
- * u_W / sqrt(1 + (r/radius)^2); dents add up. */
-#define SWAGE_EXT_DENTS "swage.object.dents/1"
-typedef struct swage_dent {
-  swage_vec3 p_W; /* m, on the undeformed surface */
-  swage_vec3 u_W; /* m */
-  double radius;  /* m */
-} swage_dent;
-typedef struct swage_dents {
-  swage_result (*dents)(swage_instance*, const swage_object_step*, uint32_t capacity, swage_dent* out, uint32_t* n); /* [rt] */
-} swage_dents;
-
 /* Traits: interfaces through which a coupling uses an object of any plugin. Offered through get_extension under the trait's id and
  * listed in the descriptor. A trait without functions is a promise only: get_extension returns any non-NULL pointer. */
 #define SWAGE_TRAIT_SOLID "swage.trait.solid/1" /* its COLLIDES shapes resist penetration */
@@ -195,7 +183,6 @@ SWAGE_STATIC_ASSERT(sizeof(swage_contact_point) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_chain_place) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_graspable_place) == 88, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_gripper_state) == 96, "frozen layout");
-SWAGE_STATIC_ASSERT(sizeof(swage_dent) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_piercing_place) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_law) == 64, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_place) == 80, "frozen layout");
