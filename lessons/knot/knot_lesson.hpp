@@ -4,6 +4,7 @@
 #pragma once
 
 #include <swage/lesson.hpp>
+#include <swage/strand.hpp>
 
 #include <string>
 
@@ -93,6 +94,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
     Signal shift, state, tail, tension, cut;
   };
   void find_knot(const Scene& scene, Binder& binder);
+  double long_tension(const View& view) const;
   void read_knot(const View& view, Look& look) const;
   bool read(const View& view, Look& look) const;
   void say(const Finding& finding, const Verdict& verdict) const;
@@ -106,9 +108,10 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   Word asked_;
   uint32_t gripper_object_[2] = {kNone, kNone}, thread_object_ = kNone;  // winder, holder
   Peer gripper_[2];
+  StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
-  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, tension_grip_, squeeze_;
+  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, squeeze_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];
   Event dropped_, undone_, failed_[10];
