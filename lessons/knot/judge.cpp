@@ -53,8 +53,7 @@ bool Judge::drops(Memory& memory, const Look& look, bool had) const noexcept {
   if (memory.has[0] != 0) {
     memory.regrasps += memory.let_go;
     memory.let_go = 0;
-    // the thread tells its tension where it is pressed hardest: where that is the tail, the stitch tells what the long end pulls
-    memory.long_tension = look.grip[0] >= look.grip[1] ? look.tension_grip : look.tension;
+    memory.long_tension = look.tension_grip;
   }
   if (had && memory.has[0] == 0 && look.word.throws < rules_.asked.throws) {
     const bool opened = look.squeeze < rules_.force_low;

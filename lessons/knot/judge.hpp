@@ -50,7 +50,7 @@ struct Look {
   double grip[2] = {0, 0};  // N, of the winder and of the holder on the thread
   bool held[2] = {false, false};
   double squeeze = 1e300;      // N, what the winder's hand puts on its jaws; of a gripper that does not tell it, no end is let go of
-  double tension_grip = 0;     // N, of the thread beside the place where it is pressed hardest
+  double tension_grip = 0;     // N, of the long end beside the jaws that hold it
   Vec3 tip_W[2] = {Vec3::Zero(), Vec3::Zero()};
   double turns = 0;  // about the holder
   Word word;

@@ -101,6 +101,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
     WorkState work;
   };
   void find_knot(const Scene& scene, Binder& binder);
+  double long_tension(const View& view) const;
   void read_knot(const View& view, Look& look) const;
   bool read(const View& view, Look& look) const;
   void follow_work(const View& view, const Look& look, Kept& kept) const;
@@ -120,7 +121,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
-  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, tension_grip_, squeeze_;
+  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, squeeze_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];
   Event dropped_, undone_, failed_[10];
