@@ -62,11 +62,11 @@ class Ties {
   virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
 };
 
-/// Draws on object b what its shapes do not show, as torn places; for the eye only.
+/// Primitives drawn on object b that its shapes do not contain, such as torn regions; for drawing only.
 class DrawingOnB {
  public:
   virtual ~DrawingOnB() = default;
-  /// After finish(), when a picture is taken. Changes nothing. [rt]
+  /// Adds primitives to `out`. Called after finish() when a snapshot is taken; must not change state. [rt]
   virtual void draw(const CouplingStep& step, Visuals& out) SWAGE_RT = 0;
 };
 

@@ -75,11 +75,11 @@ class Surface {
                             double* u_W) SWAGE_RT = 0;
 };
 
-/// Something is drawn on it that its shapes do not show; for the eye only.
+/// Primitives drawn on the object that its shapes do not contain; for drawing only.
 class Drawing {
  public:
   virtual ~Drawing() = default;
-  /// After finish(), when a picture is taken. Changes nothing. [rt]
+  /// Adds primitives to `out`. Called after finish() when a snapshot is taken; must not change state. [rt]
   virtual void draw(const Step& step, Visuals& out) SWAGE_RT = 0;
 };
 

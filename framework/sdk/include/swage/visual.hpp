@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an object or a coupling draws beside shapes: a list that never holds more than there is room for.
+// The list of primitives that an object or a coupling draws beside its shapes; bounded by the capacity of the host.
 #pragma once
 
 #include <swage/abi/visual.h>
@@ -10,27 +10,27 @@
 
 namespace swage {
 
-/// Places and directions are in the world, but after on(body) in the frame of that body. Lengths in m.
+/// Positions and directions are in W; after on(body) in the frame of that body. Lengths in m.
 class Visuals {
  public:
   explicit Visuals(std::span<swage_visual> room) : room_(room) {}
 
   uint32_t size() const { return n_; }
   bool full() const { return n_ == room_.size(); }
-  /// Adds one; nothing where the list is full. [rt]
+  /// Adds a primitive; no effect on a full list. [rt]
   void add(const swage_visual& v) {
     if (!full()) room_[n_++] = v;
   }
-  /// What follows is told in the frame of this body. [rt]
+  /// Sets the body in whose frame the following primitives are. [rt]
   void on(Body body) { body_ = body; }
 
-  /// The surface at `a` is displaced to `b`, and at a distance r by 1 / sqrt(1 + (r/radius)^2) of that. [rt]
+  /// A dent: the surface at `a` is displaced to `b`, at a distance r from `a` by (b - a) / sqrt(1 + (r/radius)^2). [rt]
   void dent(swage_vec3 a, swage_vec3 b, double radius) { put(SWAGE_VISUAL_DENT, 0, 0, a, b, {}, radius, 1); }
   /// A flat capsule of a torn region. [rt]
   void tear(uint32_t group, swage_vec3 a, swage_vec3 b, swage_vec3 normal, double radius) {
     put(SWAGE_VISUAL_TEAR, group, 0, a, b, normal, radius, 1);
   }
-  /// Where the torn region of this group is open, and how far it leads inwards; `radius`: of a disc as large as the region. [rt]
+  /// Opening `a`, depth `b` and direction of the torn region of a group; `radius`: of a disc with the area of the region. [rt]
   void wound(uint32_t group, swage_vec3 a, swage_vec3 b, swage_vec3 inward, double radius, bool filled) {
     put(SWAGE_VISUAL_WOUND, group, 0, a, b, inward, radius, filled ? 1 : 0);
   }
