@@ -57,21 +57,6 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   EXPECT_TRUE(eventually([&] { return task_line() == "Hold it" && words().task == "Hold it"; })) << "in practice it helps";
 }
 
-// The keys that the buttons of a result name work: a new text of a button takes its key away.
-TEST_F(AttemptOnPage, AResultIsLeftByItsKeys) {
-  script.rate = 100;
-  open();
-  const QString before = page()->setup()->lesson();
-  click("start");
-  ASSERT_TRUE(wait_for_end());
-  ASSERT_TRUE(eventually([&] { return child<QPushButton>("next_lesson")->isVisible(); }));
-  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
-  EXPECT_TRUE(window->people_page()->isVisible());
-  window->show_page(QStringLiteral("run"));
-  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_NE(page()->setup()->lesson(), before);
-}
-
 TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {
   script.rate = 100;
   open();

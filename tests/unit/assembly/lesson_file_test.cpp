@@ -89,8 +89,7 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
 TEST(LessonFile, ReadsEverything) {
   const Read r(R"({
     "format": "swage-lesson/1", "id": "org.example.l", "title": "Title", "summary": "Summary.",
-    "reset": {"label": "Neu knüpfen und legen 24", "tip": "Tip."},
-    "x-note": {"anything": ["goes"]},
+    "x-note": {"anything": ["goes"]}, "reset": {"label": "Neu knüpfen und legen 24", "tip": "Tip."},
     "seed": 18446744073709551615, "rate_hz": "2000 Hz", "scene_length": "2 mm",
     "gravity": ["0 m/s2", 0, -1.6], "max_time": "90 s", "requires": {"p.q": "^1.2"},
     "devices": [{"name": "hand", "plugin": "p.mouse", "motion_scale": 10, "force_scale": "50 %",
