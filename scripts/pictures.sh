@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Pictures of every page of the console, to be looked at: filled with a synthetic school and empty, 1280x800 and 1920x1080, English and
-# German. Needs a build of the preset and Debian's package xvfb.
+# German; and a knot of the thread, tied and cut off. Needs a build of the preset and Debian's package xvfb.
 #
 #   scripts/pictures.sh <folder> [preset]
 set -euo pipefail
@@ -21,7 +21,7 @@ picture() {
   local name=$1
   shift
   XDG_CONFIG_HOME=$(mktemp -d) XDG_DATA_HOME=$folder/data xvfb-run -a -s "-screen 0 1920x1080x24" \
-    timeout 120 "$bin/swage-console" "$@" --at 1 --screenshot "$folder/$name.png" 2>"$folder/$name.log" ||
+    timeout 120 "$bin/swage-console" "$@" --at "${at:-1}" --screenshot "$folder/$name.png" 2>"$folder/$name.log" ||
     echo "$name: see $folder/$name.log"
 }
 
@@ -34,4 +34,10 @@ for language in en de; do
       picture "${page}_empty_${size}_$language" --page "$page" --store "$empty" --size "$size" --language "$language"
     done
   done
+done
+
+thread=$folder/thread.db
+[ -f "$thread" ] || "$bin/swage" run resources/pictures/thread_cut.json --headless --as-fast-as-possible --store "$thread" >"$folder/thread.log"
+for moment in tied:0.4 between_blades:1.12 cut:3.9; do
+  at=${moment#*:} picture "thread_${moment%:*}" --review latest --store "$thread" --size 1600x1000 --language en --view near
 done

@@ -13,7 +13,7 @@
 namespace swage::console {
 namespace {
 
-// Qt says in several lines that its platform plugin is not there, and aborts
+// Qt reports a missing platform plugin in several lines and aborts; this handler prints one sentence instead
 void say_what_to_do(QtMsgType type, const QMessageLogContext&, const QString&) {
   if (type != QtFatalMsg) return;
   const char* display = std::getenv("DISPLAY");
@@ -39,14 +39,14 @@ void expect_display() { qInstallMessageHandler(&say_what_to_do); }
 void display_is_there() { qInstallMessageHandler(nullptr); }
 
 void prepare_graphics() {
-  // the other renderer of Qt 6.4 crashes without OpenGL and turns captured pictures upside down
+  // the other renderer of Qt 6.4 crashes without OpenGL and captures pictures upside down
   qputenv("QT3D_RENDERER", "opengl");
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
-  format.setSamples(0);  // the view resolves its own samples
+  format.setSamples(0);  // the view resolves the samples of its own render targets
   format.setSwapInterval(0);
   QSurfaceFormat::setDefaultFormat(format);
 }

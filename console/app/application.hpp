@@ -3,16 +3,16 @@
 
 namespace swage::console {
 
-/// Help or version are asked for: that needs no display.
+/// True when the arguments ask for help or the version, which need no display.
 bool asks_for_text(int argc, char** argv);
-/// Around the making of QApplication: where no display answers, one sentence says what to do and the program ends with 1.
+/// To be called around the making of QApplication: without a display the program prints one sentence that says what to do and exits with 1.
 void expect_display();
 void display_is_there();
-/// Before QApplication: which renderer and surface format Qt3D uses.
+/// To be called before QApplication: sets the renderer and the surface format of Qt3D.
 void prepare_graphics();
-/// After QCoreApplication: name and version, which --version and reports tell.
+/// To be called after QCoreApplication: sets the name and the version that --version and reports show.
 void name_application();
-/// After QApplication: name, style, font.
+/// To be called after QApplication: sets name, style and font.
 void prepare_application();
 
 }  // namespace swage::console

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPoll_ms = 15;
 constexpr int kAmber_days = 30;  // after which a calibration that has not expired is spoken of all the same
-constexpr double kPatience_s = 4;  // boards that restart when their port is opened need two
+constexpr double kPatience_s = 4;  // s; boards that restart when their port is opened need 2 s
 enum Column { kLength, kVolts, kResidual, kColumns };
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
@@ -159,7 +159,7 @@ QWidget* CalibrationDialog::make_end() {
   return box;
 }
 
-// In this window a click may take the keyboard: nobody leads an instrument meanwhile, and the next point is one key away.
+// A click on these buttons may take the keyboard focus: no instrument is led meanwhile, and the next point is one key away.
 QPushButton* CalibrationDialog::make_measuring(const QString& text, const char* name, QWidget* parent) {
   QPushButton* button = make_button(text, {}, QString::fromLatin1(name), parent);
   button->setFocusPolicy(Qt::StrongFocus);
@@ -190,7 +190,7 @@ void CalibrationDialog::poll() {
     draft_.name = bench_.name();
     const std::string wrong = draft_.begin_from(sensor::calibration_path(draft_.serial));
     if (!wrong.empty()) say(QString::fromStdString(wrong), true);
-    // a sensor with a bench behind it needs only its poses
+    // a sensor that already has a bench calibration needs only its poses
     if (draft_.in_use().valid() && !draft_.fit().valid()) steps_->setCurrentIndex(1);
     show_points();
     next_ = steps_->currentIndex() == 1 ? pose_[0] : measure_;

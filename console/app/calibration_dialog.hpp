@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Calibration of a jaw sensor: thirteen lengths and their volts on a bench, the fit with what is left of each point; the three poses of
-// the needleholder, anew in each session; forces of the handle and of the tips, and a check on a gauge. The same arithmetic as
-// `swage calibrate`. Nothing is kept before "Keep".
+// Calibration of a jaw sensor: thirteen lengths and their voltages on a bench, and the fit with the residual of each point; the three poses
+// of the needleholder, measured anew in each session; forces of the handle and of the tips, and a check on a gauge. The arithmetic is that
+// of `swage calibrate`. Nothing is stored before "Keep".
 #pragma once
 
 #include <QComboBox>
@@ -39,7 +39,7 @@ class CalibrationDialog : public QDialog {
   QWidget* make_forces();
   QWidget* make_end();
   void connect_sensor();
-  /// A row; kPose and on: open, closed, squeezed; kForce and on: a row of forces; kCheck; kZero. `then`: where the keyboard goes.
+  /// `what`: a row; from kPose: open, closed, squeezed; from kForce: a row of forces; kCheck; kZero. `then`: the next holder of the focus.
   void measure(int what, QWidget* then);
   QPushButton* make_measuring(const QString& text, const char* name, QWidget* parent);
   void poll();
@@ -49,7 +49,7 @@ class CalibrationDialog : public QDialog {
   void show_points();
   void show_poses();
   void show_forces();
-  void show_tip();  // what the tips press now, by the calibration
+  void show_tip();  // shows the present force at the tips, by the calibration
   void keep();
   void say(const QString& text, bool bad);
 
@@ -72,7 +72,7 @@ class CalibrationDialog : public QDialog {
   QPushButton *connect_, *measure_, *clear_, *keep_, *pose_[3], *zero_, *measure_force_, *check_;
 };
 
-/// What is stored of jaw sensors, one sentence each, with what is wrong with it.
+/// The stored calibrations of jaw sensors, one sentence each, with any defect.
 QStringList stored_calibrations();
 
 }  // namespace swage::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The part of the calibration that has to do with forces: of the handle, of the tips, and the check on a gauge.
+// The force part of the calibration: forces of the handle and of the tips, and the check on a gauge.
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>

@@ -16,7 +16,7 @@ QCommandLineOption option(const char* name, const char* text, const char* value 
           QString::fromLatin1(value)};
 }
 
-// By its name, or by its first bytes whatever its name. Nothing has opened a store yet, so that this costs nobody a lock.
+// Recognises an attempt file by its name or by its first bytes. No store is open yet, so that closing the file releases no lock.
 bool is_attempt(const QString& path) {
   if (path.endsWith(QLatin1String(".swage"), Qt::CaseInsensitive)) return true;
   QFile file(path);
@@ -50,7 +50,7 @@ QList<QCommandLineOption> all_options() {
   };
 }
 
-// what is given takes the place of what is usual
+// given options replace the defaults
 void take_options(const QCommandLineParser& parser, Launch& launch) {
   const auto text = [&](const char* name) { return parser.value(QString::fromLatin1(name)); };
   const auto given = [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
@@ -65,7 +65,7 @@ void take_options(const QCommandLineParser& parser, Launch& launch) {
   launch.options.store_path = text("store").toStdString();
   launch.options.safe_mode = given("safe-mode");
   if (given("seed")) launch.options.settings.push_back("seed=" + text("seed").toStdString());
-  // a picture can be taken again
+  // a screenshot must be reproducible: its seed is fixed
   launch.draws_seed = !given("seed") && !given("screenshot");
   launch.start = given("start");
   launch.station = text("station");

@@ -9,27 +9,27 @@
 
 namespace swage::console {
 
-/// What the program was asked for.
+/// What the command line asks for.
 struct Launch {
-  session::Options options;  // plugin folders, store, lesson, device, person, mode as given
+  session::Options options;  // plugin folders, store, lesson, device, person and mode from the command line
   bool device_given = false, person_given = false, mode_given = false;
   bool start = false;
-  bool draws_seed = true;      // a new one for every attempt; false: as given, or as the lesson says
-  QString theme, cues, view;   // "" as remembered
-  QString station;             // name under which others see this one; "" for that of the machine
-  QString language;            // "en", "de"; "" that of the system
+  bool draws_seed = true;      // a new seed for every attempt; false: the given seed or that of the lesson
+  QString theme, cues, view;   // "": the remembered one
+  QString station;             // name under which other stations see this one; "": name of the machine
+  QString language;            // "en", "de"; "": language of the system
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none
   QString page;                // Page::id: "run", "people"...
   QString review;              // attempt to open on the Review page, "latest" for the newest
   QString attempt_file;        // kept attempt to open on the Review page
   QString screenshot;          // file to write the picture of the window to, then quit
-  double screenshot_at_s = 0;  // simulated time; without a run, seconds after the window is there
+  double screenshot_at_s = 0;  // simulated time, s; without an attempt, s since the window was shown
   QSize size;                  // of the window
   QStringList lesson_folders;
-  QString settings_file;  // "" for the user's own
+  QString settings_file;  // "": settings of the user
 };
 
-/// Reads the arguments. Prints help or what is wrong and ends the program where Qt's parser does so.
+/// Reads the arguments. Prints the help or the error and exits where Qt's parser does so.
 Launch read_command_line(const QStringList& arguments);
 
 }  // namespace swage::console

@@ -10,7 +10,7 @@
 namespace swage::console {
 namespace {
 
-int ends[2] = {-1, -1};  // a handler may do little more than write one byte
+int ends[2] = {-1, -1};  // a pipe: a signal handler may do little more than write one byte
 
 void on_signal(int number) {
   const char byte = 1;

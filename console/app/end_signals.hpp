@@ -7,8 +7,8 @@
 
 namespace swage::console {
 
-/// Calls back, in the event loop, when the system or a person asks the program to end: SIGTERM, SIGINT, SIGHUP. A second one ends
-/// it at once. One object per program.
+/// Calls back, in the event loop, when the system or a person asks the program to end: SIGTERM, SIGINT, SIGHUP. A second signal ends
+/// the program at once. One object per program.
 class EndSignals {
  public:
   explicit EndSignals(std::function<void()> asked);

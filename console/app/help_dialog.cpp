@@ -53,13 +53,14 @@ Card make_legend(const CueTheme& cues, QWidget* parent) {
       badge->set_style(one);
       badges->addWidget(badge);
     }
-    badges->addStretch(1);
-    grid->addLayout(badges, row, left);
+    grid->addLayout(badges, row, left, Qt::AlignLeft);
     grid->addWidget(new QLabel(style.text, card.frame), row, left + 1);
     auto* sound = make_muted(style.sound, card.frame);
     sound->setWordWrap(false);
     grid->addWidget(sound, row, left + 2);
   }
+  // the signs keep their width, what they mean and how they sound share the rest
+  for (const int words : {1, 2, 5, 6}) grid->setColumnStretch(words, words % 4 == 1 ? 2 : 1);
   grid->setColumnMinimumWidth(3, 20);
   card.body->addLayout(grid);
   card.body->addStretch(1);
@@ -149,7 +150,7 @@ QWidget* HelpDialog::make_keys() {
   return page;
 }
 
-// a page is scrolled where the screen is smaller than it
+// adds a page in a scroll area, for screens smaller than the page
 void HelpDialog::add_tab(QWidget* page, const QString& title) {
   auto* area = new QScrollArea(tabs_);
   area->setWidgetResizable(true);

@@ -11,7 +11,7 @@ class QTabWidget;
 
 namespace swage::console {
 
-/// F1: keys and mouse in one tab, what the cues mean in the other. It is no larger than its screen.
+/// F1: keys and mouse in one tab, the meanings of the cues in the other. The dialog is no larger than its screen.
 class HelpDialog : public QDialog {
   Q_OBJECT
  public:

@@ -56,7 +56,7 @@ bool use_language(const QString& code) {
   if (!code.isEmpty()) QLocale::setDefault(QLocale(code));
   set_words_language(wanted);
   if (wanted == languages().first()) return true;
-  // Qt's own words where Debian's qt6-translations-l10n is installed, and ours before them
+  // Qt's own translations (Debian's qt6-translations-l10n) where installed; ours take precedence
   install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   install(QStringLiteral("swage_") + wanted, QStringLiteral(":/i18n"));
   return true;

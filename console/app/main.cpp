@@ -20,7 +20,7 @@ using namespace swage;
 
 namespace {
 
-// a language that there is not ends the program with what there is
+// an unknown language ends the program with the list of known ones
 void choose_language() {
   const QString wanted = console::wanted_language(QCoreApplication::arguments(), console::Settings());
   if (console::use_language(wanted)) return;
@@ -29,7 +29,7 @@ void choose_language() {
   std::exit(2);
 }
 
-// sessions, stores and files as they really are; tests have others
+// real sessions, stores and files; tests use doubles
 console::Services services_of(const session::Options& options) {
   console::Services services;
   services.open_session = &session::Session::open;
@@ -66,7 +66,7 @@ console::Services services_of(const session::Options& options) {
 }
 
 int run(int argc, char** argv) {
-  // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
+  // a file beyond the size limit (RLIMIT_FSIZE) becomes a write error with its sentence instead of ending the program
   signal(SIGXFSZ, SIG_IGN);
   if (console::asks_for_text(argc, argv)) {
     QCoreApplication text_only(argc, argv);
@@ -83,7 +83,7 @@ int run(int argc, char** argv) {
   choose_language();
   console::Launch launch = console::read_command_line(app.arguments());
 
-  // a picture for the documentation shows the program as it is delivered
+  // a screenshot for the documentation uses the default settings
   const QTemporaryDir own;
   if (!launch.screenshot.isEmpty()) launch.settings_file = own.filePath(QStringLiteral("settings.ini"));
 

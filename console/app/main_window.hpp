@@ -1,42 +1,30 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The main window. It puts its parts together: the pages (WindowPages), where it stands (WindowPlace), its look (WindowTheme), its keys
+// (WindowKeys), what is remembered of the Run page (RunMemory), lessons (LessonRequests) and attempts (AttemptOpener) that are asked for,
+// the trainee's place (TraineePlace), a person's instrument (OwnInstrument), other stations (StationMessages), how it is left (CloseGuard).
 #pragma once
 
 #include <QMainWindow>
-#include <QTimer>
-#include <functional>
 #include <memory>
-#include <optional>
 
+#include "console/app/attempt_opener.hpp"
+#include "console/app/close_guard.hpp"
 #include "console/app/command_line.hpp"
-#include "console/app/pages.hpp"
+#include "console/app/frame_rate.hpp"
+#include "console/app/lesson_requests.hpp"
+#include "console/app/own_instrument.hpp"
+#include "console/app/run_memory.hpp"
+#include "console/app/services.hpp"
 #include "console/app/settings.hpp"
+#include "console/app/station_messages.hpp"
 #include "console/app/trainee_place.hpp"
-#include "console/link/station_link.hpp"
-#include "console/models/lessons_model.hpp"
-#include "console/pages/courses_page.hpp"
-#include "console/pages/lessons_page.hpp"
-#include "console/pages/people_page.hpp"
-#include "console/pages/review_page.hpp"
-#include "console/pages/run_page.hpp"
-#include "console/pages/setup_page.hpp"
-#include "console/pages/stations_page.hpp"
+#include "console/app/window_pages.hpp"
+#include "console/app/window_place.hpp"
+#include "console/app/window_theme.hpp"
 #include "console/widgets/message_strip.hpp"
 
 namespace swage::console {
-
-/// The window's ways into the framework; tests put doubles behind them.
-struct Services {
-  SessionOpener open_session;
-  StoreOpener open_store;  // none: nothing is kept
-  RecordingReader read_recording;
-  PlayerOpener open_player;
-  FileOpener open_file;  // an attempt out of a file
-  FileReader read_file;
-  SchoolOpener open_school = {};  // none: people and courses cannot be changed
-  ExpertOpener open_expert = {};  // none: nobody guides
-  ExportReader read_export = {};   // none: exports do not say what was measured with
-  StationsOpener open_stations = {};  // none: there is only this station
-};
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -44,33 +32,30 @@ class MainWindow : public QMainWindow {
   MainWindow(Services services, const Launch& launch, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  RunPage* run_page() { return run_; }
-  PeoplePage* people_page() { return people_; }
-  ReviewPage* review_page() { return review_; }
-  LessonsPage* lessons_page() { return lessons_page_; }
-  CoursesPage* courses_page() { return courses_; }
+  RunPage* run_page() { return pages_->run(); }
+  PeoplePage* people_page() { return pages_->people(); }
+  ReviewPage* review_page() { return pages_->review(); }
+  LessonsPage* lessons_page() { return pages_->lessons(); }
+  CoursesPage* courses_page() { return pages_->courses(); }
   SchoolDesk* desk() { return &desk_; }
-  StationsPage* stations_page() { return stations_page_; }
+  StationsPage* stations_page() { return pages_->stations(); }
   StationLink* stations() { return stations_; }
   MessageStrip* messages() { return messages_; }
   /// More sections can be added to it: equipment has its own.
-  SetupPage* setup_page() { return setup_; }
+  SetupPage* setup_page() { return pages_->setup(); }
   /// The trainee's window; nullptr while it is closed.
   TraineeWindow* trainee() { return trainee_->window(); }
-  void set_theme(const QString& ui, const QString& cues);
-  const QString& ui_theme() const { return ui_id_; }
+  void set_theme(const QString& ui, const QString& cues) { theme_->set(ui, cues); }
+  const QString& ui_theme() const { return theme_->ui(); }
 
  public Q_SLOTS:
   /// "run", "people"...: Page::id.
-  void show_page(const QString& id) { pages_->go(id); }
+  void show_page(const QString& id) { pages_->all()->go(id); }
   void show_help();
   void toggle_trainee() { trainee_->toggle(); }
   /// Calibration of a jaw sensor.
   void show_calibration();
-  void review(const QString& attempt_id);
-  /// Asks for a file with an attempt and shows it on the Review page.
-  void open_attempt();
-  void review_file(const QString& file);
+  void review_file(const QString& file) { attempts_->open_file(file); }
   /// The attempt ends as with Stop, what is remembered is written, the program goes: for a signal that asks for it.
   void leave();
   /// Closes the window; while a lesson runs only if the person wants that.
@@ -79,53 +64,35 @@ class MainWindow : public QMainWindow {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  void showEvent(QShowEvent* event) override;
 
  private:
-  void add_pages(Services& services);
-  void connect_pages();
-  void connect_lesson_files();
+  Pages* make_middle();
+  void make_parts(Pages* pages, Services& services);
+  void connect_setup();
   void fill_top_bar();
-  void select_lesson(const QString& path);
-  QVector<LessonMetric> metrics_of(const QString& lesson_id);
-  void add_actions();
-  void fit_screen();
-  void enter_run();
-  bool agree_to_stop();
-  void tell_stopped();
-  void offer_languages();
-  CueTheme cue_theme(const QString& id, bool dark) const;
+  void add_keys();
   void restore(const Launch& launch);
-  void select_first(const Launch& launch);
-  void review_given(const Launch& launch);
+  void open_given(const Launch& launch);
   void remember();
-  void connect_instrument();
-  const SceneView* shown_view() const;
-  void add_stations();
-  void start_stations(StationsOpener opener, const QString& name);
-  void show_messages();
-  void answer_message(const record::StationMessage& message, bool accepted);
-  void show_message_to_trainee();
 
   Settings settings_;
-  QTimer frames_timer_;
-  bool fits_ = false;  // into its screen, frame and all, once it is seen
   LessonsModel lessons_;
   StoreLink store_;
   SchoolDesk desk_;
-  QString ui_id_, cues_id_;
-  std::unique_ptr<TraineePlace> trainee_;
+  StationLink* stations_;  // outlives the members, as pages are hidden after them
   StatusStrip* strip_ = nullptr;
   MessageStrip* messages_ = nullptr;
-  Pages* pages_ = nullptr;
-  RunPage* run_ = nullptr;
-  LessonsPage* lessons_page_ = nullptr;
-  CoursesPage* courses_ = nullptr;
-  PeoplePage* people_ = nullptr;
-  ReviewPage* review_ = nullptr;
-  SetupPage* setup_ = nullptr;
-  StationsPage* stations_page_ = nullptr;
-  StationLink* stations_;  // outlives the members, as pages are hidden after them
+  std::unique_ptr<WindowPages> pages_;
+  std::unique_ptr<TraineePlace> trainee_;
+  std::unique_ptr<WindowPlace> place_;
+  std::unique_ptr<WindowTheme> theme_;
+  std::unique_ptr<RunMemory> memory_;
+  std::unique_ptr<FrameRate> frames_;
+  std::unique_ptr<LessonRequests> requests_;
+  std::unique_ptr<AttemptOpener> attempts_;
+  std::unique_ptr<OwnInstrument> instrument_;
+  std::unique_ptr<StationMessages> station_;
+  std::unique_ptr<CloseGuard> guard_;
 };
 
 }  // namespace swage::console

@@ -21,7 +21,7 @@ Pages::Pages(QWidget* parent) : QWidget(parent), bar_frame_(new QFrame(this)), s
   auto* name = new QLabel(QStringLiteral("Swage"), bar_frame_);
   name->setProperty("brand", true);
   bar_->addWidget(name);
-  bar_->addSpacing(14);
+  bar_->addSpacing(10);
   column->addWidget(bar_frame_);
   column->addWidget(stack_, 1);
 }
@@ -46,7 +46,7 @@ void Pages::add(const Page& page) {
   button->setToolTip(tr("%1 (%2)").arg(page.tip, key.toString(QKeySequence::NativeText)));
   button->setChecked(number == 1);
   connect(button, &QPushButton::clicked, this, [this, id = page.id] { go(id); });
-  // behind the other pages' buttons, before what the window adds
+  // behind the buttons of the other pages, before the items that the window adds
   bar_->insertWidget(1 + number, button);
   buttons_ += button;
   auto* action = new QAction(page.title, this);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The pages of the window. To add one, add() it: its button, its key and its place in the tab order follow from that.
+// The pages of the window. add() gives a new page its button, its key and its place in the tab order.
 #pragma once
 
 #include <QFrame>
@@ -18,31 +18,31 @@ namespace swage::console {
 
 class SceneView;
 
-/// One page. What is not given is not called.
+/// One page. Members without a value are ignored.
 struct Page {
-  QString id;                   // "people": on the command line, in settings and in object names
+  QString id;                   // "people": in the command line, settings and object names
   QString title;                // on its button
   QString tip;                  // the question it answers
   QWidget* widget = nullptr;
-  bool scrolls = true;               // where the window is smaller than the page; false: the page sees to that itself
-  std::function<void()> shown = {};  // it has come to the front
+  bool scrolls = true;               // the page is put in a scroll area; false: it scrolls its own content
+  std::function<void()> shown = {};  // called when the page has come to the front
   std::function<void(const UiTheme&, const CueTheme&)> themed = {};
-  SceneView* view = nullptr;    // its picture
-  QUndoStack* edits = nullptr;  // what Ctrl+Z takes back while it is in front
+  SceneView* view = nullptr;    // its 3D view
+  QUndoStack* edits = nullptr;  // commands that Ctrl+Z undoes while the page is in front
 };
 
 class Pages : public QWidget {
   Q_OBJECT
  public:
   explicit Pages(QWidget* parent = nullptr);
-  /// The page goes behind those that are there; its key is Ctrl and its number.
+  /// Appends the page; its key is Ctrl and its number.
   void add(const Page& page);
-  /// False where there is none of that id.
+  /// Brings a page to the front; false for an unknown id.
   bool go(const QString& id);
   const Page& current() const { return pages_[stack_->currentIndex()]; }
   const QVector<Page>& all() const { return pages_; }
   void set_themes(const UiTheme& ui, const CueTheme& cues);
-  /// The bar of buttons; more can be added behind them.
+  /// The bar of buttons; the window can append more.
   QHBoxLayout* bar() { return bar_; }
   QWidget* bar_widget() { return bar_frame_; }
   QUndoGroup* edits() { return &edits_; }

@@ -9,11 +9,11 @@ namespace swage::console {
 
 class MainWindow;
 
-/// Waits for the moment, writes a picture of the window as a person sees it, and ends the program: for documentation.
+/// Waits for the given moment, writes a screenshot of the window and ends the program: for documentation.
 class Screenshot : public QObject {
   Q_OBJECT
  public:
-  /// `at_s`: simulated time of the running attempt; without one, seconds after the window is there.
+  /// `at_s`: simulated time of the running attempt, s; without an attempt, s since the window was shown.
   Screenshot(MainWindow* window, const QString& file, double at_s, bool of_run);
 
  private:

@@ -8,12 +8,12 @@
 
 namespace swage::console {
 
-/// The real player: session::Playback.
+/// The player of the program: session::Playback. Tests use doubles.
 std::unique_ptr<Player> open_session_player(const record::Recording& recording,
                                             const std::vector<std::string>& plugin_dirs,
                                             base::Problems& problems);
 
-/// The scripted expert of a lesson: session::Rehearsal. It goes forward only.
+/// The scripted expert of a lesson: session::Rehearsal. It only steps forward.
 std::unique_ptr<Player> open_session_expert(const session::Options& options, base::Problems& problems);
 
 }  // namespace swage::console

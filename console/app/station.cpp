@@ -32,7 +32,7 @@ Station read_station(const Settings& settings) {
     }
     out = s;
   } catch (const nlohmann::json::exception&) {
-    // a file that somebody has edited: as if nobody had measured
+    // a malformed file, such as one edited by hand, counts as no measurement
   }
   return out;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is measured once at a station and remembered there: screen, eyes, mirror, and where an arm stands before the picture.
+// The measurements of a station, kept in its settings: screen, eyes, mirror, and the registration of an arm to the picture.
 #pragma once
 
 #include <QPointF>
@@ -16,16 +16,16 @@ namespace swage::console {
 struct Station {
   TrueSize size;
   bool registered = false;
-  QString device;  // whose registration it is, as sessions call it
-  QString date;    // of it, 2026-11-22
+  QString device;  // registered device, named as sessions name it
+  QString date;    // of the registration, 2026-11-22
   session::Registration arm;
 };
 
 Station read_station(const Settings& settings);
 void remember(const Station& station, Settings& settings);
 
-/// The four marks of a registration, mm from the middle of the window, +y up: upper left, upper right, lower right, lower left. They
-/// lie within either half of the screen, for displays that give each eye one.
+/// The four marks of a registration, mm from the middle of the window, +y up: upper left, upper right, lower right, lower left. They fit
+/// into either half of the screen, for displays that give each eye one.
 std::array<QPointF, 4> station_marks(const TrueSize& size);
 
 }  // namespace swage::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// True size and place of a station: what a ruler says, and four marks that the arm's tip is led to. Every change acts at once.
+// True size and registration of a station: lengths read from a ruler, and four marks to touch with the arm's tip. Changes act at once.
 #pragma once
 
 #include <QCheckBox>
@@ -20,7 +20,7 @@
 
 namespace swage::console {
 
-/// A bar that is as long as its words say, when the size of the screen is right: a ruler tells.
+/// A bar whose length on the screen is the labelled one when the size of the screen is right; to be checked with a ruler.
 class RulerBar : public QWidget {
   Q_OBJECT
  public:
@@ -40,19 +40,19 @@ class RulerBar : public QWidget {
 class StationDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Makes a reader of the instrument that is chosen on the Run page.
+  /// Makes a reader of the arm that is chosen on the Run page.
   using ArmMaker = std::function<std::unique_ptr<ArmReader>()>;
 
   StationDialog(const Station& station, bool mirrored, ArmMaker make_arm, QWidget* parent);
   const Station& station() const { return station_; }
-  /// The instrument that is registered, as sessions call it, and as people do.
+  /// The registered device: its id in sessions and its name for people.
   void set_device(const QString& device, const QString& name);
-  /// The screen that is measured: what it says of itself is the first guess.
+  /// The screen to be measured: the size that it reports is the first guess.
   void set_screen(const QScreen* screen);
 
  Q_SIGNALS:
   void changed();
-  /// Where the mark that is to be touched lies in the trainee's picture, mm from its middle; nothing: no mark.
+  /// The place of the mark to be touched, mm from the middle of the trainee's picture; no value: no mark.
   void mark(const std::optional<QPointF>& at_mm);
 
  protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What this station says of itself to those who watch from another: who sits here, at which lesson, how the attempt goes. [main]
+// The report of this station to those who watch it from another: the trainee, the lesson, the state of the attempt. [main]
 #pragma once
 
 #include <QObject>
@@ -16,7 +16,7 @@ namespace swage::console {
 class StationReport : public QObject {
   Q_OBJECT
  public:
-  /// All outlive it, or are not asked for any more.
+  /// All outlive this object, or reports are no longer asked for.
   StationReport(const RunControl* control, const SetupPanel* setup, const LessonsModel* lessons, QObject* parent = nullptr);
   record::StationNow now() const;
 

@@ -22,7 +22,7 @@ void TraineePlace::show() {
     window_ = std::make_unique<TraineeWindow>();
     run_->add_view(window_->view());
     connect(window_->view(), &SceneView::microscope_zoomed, this, [this](float zoom) { look_.stereo.microscope.zoom = zoom; });
-    // it is closed from within
+    // the window is deleted within its own signal
     connect(window_.get(), &TraineeWindow::closed, this, [this] {
       if (window_) window_.release()->deleteLater();
       if (form_) form_->set_open(false);
@@ -80,14 +80,14 @@ void TraineePlace::take_station() {
   if (window_) window_->view()->set_stereo(look_.stereo);
 }
 
-// the mark of a registration, over the trainee's picture
+// shows the mark of a registration over the trainee's picture
 void TraineePlace::show_mark(const std::optional<QPointF>& at_mm) {
   if (at_mm && !window_) show();
   if (window_) window_->view()->set_station_mark(at_mm);
 }
 
-// The instrument where the registered arm stands before the trainee's picture; nothing where that is not so. A mirrored lesson is no
-// exception: what is seen of it is where the hand is.
+// The placement of the registered arm in the trainee's picture; no value without a registration that fits. Mirrored lessons need no
+// exception: their picture, too, is seen where the hand is.
 std::optional<Placement> TraineePlace::place_hand(const std::string& device) {
   const TrueSize& size = station_.size;
   const bool placed = window_ && size.on && size.held && size.known() && station_.registered && station_.device.toStdString() == device;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The trainee's place beside the main window: the scene in a window of its own, how it is set up, and what was measured there, so that hand
-// and tool stand in one place. What is set is kept in the settings. [main]
+// The trainee's place beside the main window: the scene in a window of its own, its layout, and the station's measurements, by which hand
+// and tool coincide. The layout is kept in the settings. [main]
 #pragma once
 
 #include <QObject>
@@ -22,7 +22,7 @@ class StationDialog;
 class TraineePlace : public QObject {
   Q_OBJECT
  public:
-  /// `run`: whose attempt is shown, and whose instrument is placed. `window`: parent of the dialogs. All outlive it.
+  /// `run`: page whose attempt is shown and whose device is placed. `window`: parent of the dialogs. All outlive this object.
   TraineePlace(RunPage* run, Settings& settings, QWidget* window);
   ~TraineePlace() override;
 
@@ -33,13 +33,13 @@ class TraineePlace : public QObject {
   void toggle();
   void close();
   void show_settings();
-  /// True size and place: by a ruler, and with an arm.
+  /// Opens the dialog of true size (by a ruler) and registration (with an arm).
   void show_station();
-  /// How the window is set up is written to the settings; what is measured is written at once.
+  /// Writes the layout of the window to the settings; measurements are written at once.
   void remember() { console::remember(look_, settings_); }
 
  Q_SIGNALS:
-  /// The window is there, or was set up anew.
+  /// The window was opened or its layout changed.
   void shown();
 
  private:

@@ -14,7 +14,7 @@
 namespace swage::console {
 namespace {
 
-constexpr QSize kWindow_px(1280, 640);  // two pictures as high as wide
+constexpr QSize kWindow_px(1280, 640);  // two square pictures
 
 bool flag(const Settings& settings, const char* key) { return settings.text(key) == QLatin1String("true"); }
 
@@ -95,7 +95,7 @@ TraineeWindow::TraineeWindow() : view_(new SceneView(this)) {
 
 void TraineeWindow::show_as(const TraineeLook& look) {
   StereoLook stereo = look.stereo;
-  // one that was chosen with another driver
+  // the stored layout was chosen with another driver
   if (stereo.layout == StereoLayout::kShutter && !has_quad_buffers()) stereo.layout = StereoLayout::kSideBySide;
   view_->set_stereo(stereo);
   show_in_turn(stereo.layout == StereoLayout::kShutter);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the trainee sees: the scene with two eyes, as under a stereo microscope, and nothing else. And the form in which
-// the instructor sets it up.
+// The trainee's window: the scene for two eyes, as under a stereo microscope, and nothing else; and the dialog in which
+// the instructor chooses its layout.
 #pragma once
 
 #include <QCheckBox>
@@ -17,16 +17,16 @@
 
 namespace swage::console {
 
-/// How and where the trainee's view is shown.
+/// Screen and layout of the trainee's view.
 struct TraineeLook {
   StereoLook stereo;
-  int screen = 0;  // of QGuiApplication::screens(); one that is not there: the first
+  int screen = 0;  // index into QGuiApplication::screens(); a missing one means the first
   bool full_screen = false;
 };
 TraineeLook read_trainee_look(const Settings& settings);
 void remember(const TraineeLook& look, Settings& settings);
 
-/// A window of its own. F11 fills the screen and leaves it, Esc leaves it or closes the window.
+/// The window. F11 toggles full screen, Esc leaves full screen or closes the window.
 class TraineeWindow : public QWidget {
   Q_OBJECT
  public:
@@ -45,10 +45,10 @@ class TraineeWindow : public QWidget {
  private:
   void show_in_turn(bool on);
   SceneView* view_;
-  QWidget* in_turn_ = nullptr;  // over the view, where the driver shows the eyes in turn
+  QWidget* in_turn_ = nullptr;  // covers the view where the driver shows the eyes in turn
 };
 
-/// Every change acts at once.
+/// The dialog. Every change acts at once.
 class TraineeSettings : public QDialog {
   Q_OBJECT
  public:

@@ -67,7 +67,7 @@ QPainterPath sign_path(QChar sign, const QRectF& r) {
   return path;
 }
 
-// what a device may be asked for at all: more than half a newton on top of the scene would move the hand
+// upper limits of a cue's force: more than half a newton on top of the scene's force would move the hand
 constexpr double kMostPeak_N = 0.5, kMostFrequency_Hz = 300, kMostLength_s = 0.2;
 constexpr int kMostPulses = 8;
 
@@ -81,11 +81,11 @@ bool read_force(const QJsonObject& json, CueForce& out) {
          within(out.peak_N, kMostPeak_N) && within(out.length_s, kMostLength_s);
 }
 
-/// What a row of a theme says of colour, shape, text, sound and force.
+/// The styles that a row of a theme file describes.
 struct Look {
   CueStyle style;
-  QColor on_dark;  // not valid: the same colour
-  QString why;     // what is wrong with its sound, force or second colour
+  QColor on_dark;  // not valid: the colour of light windows
+  QString why;     // the error in its sound, force or second colour
   bool complete() const { return style.colour.isValid() && !style.shape.isEmpty(); }
 };
 
@@ -123,7 +123,7 @@ double paint_cue_shape(QPainter& painter, const QPointF& top_left, double size, 
     const QRectF r(x + inset, top_left.y() + inset, size - 2 * inset, size - 2 * inset);
     const QPainterPath path = sign_path(sign, r);
     const bool filled = sign == 'O' || sign == 'V' || sign == 'D';
-    // dark and light edge: seen on any background
+    // a dark and a light outline: visible on any background
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, 150), 0.26 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(path);

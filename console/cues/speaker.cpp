@@ -9,11 +9,11 @@
 namespace swage::console {
 namespace {
 
-constexpr size_t kBlock = kSoundRate_Hz / 100;  // 10 ms: so late does a new sound begin
-constexpr unsigned kLatency_us = 40000;         // of the device; less, and a loaded machine stutters
-constexpr size_t kMost = 2 * kSoundRate_Hz;     // samples that may wait; more would be old news
+constexpr size_t kBlock = kSoundRate_Hz / 100;  // 10 ms: the longest delay of a new sound before it is mixed
+constexpr unsigned kLatency_us = 40000;         // of the device; with less, sound is interrupted on a loaded machine
+constexpr size_t kMost = 2 * kSoundRate_Hz;     // longest queue, 2 s; older sounds would no longer match the scene
 
-// ALSA prints what it tries; the reason is in why_silent()
+// suppresses ALSA's own messages; the reason is in why_silent()
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
 snd_pcm_t* open_device(const char* name, std::string& problem) {
@@ -44,7 +44,7 @@ void Speaker::set_volume(double share) { volume_ = std::clamp(share, 0.0, 1.0); 
 
 void Speaker::play(Pcm pcm) {
   if (pcm.empty() || volume_ <= 0) return;
-  // loudness is felt as a power: half way on the slider sounds half as loud
+  // perceived loudness is a power of the amplitude: half the slider sounds half as loud
   const auto gain = static_cast<float>(std::pow(volume_, 2));
   const std::lock_guard lock(mutex_);
   if (failed_ || pcm.size() > kMost) return;
@@ -64,7 +64,7 @@ uint64_t Speaker::written() {
   return written_;
 }
 
-// the next block; false at the end of the program
+// writes the next block; false at the end of the program
 bool Speaker::mix(std::vector<int16_t>& out) {
   std::unique_lock lock(mutex_);
   wake_.wait(lock, [&] { return end_ || !waiting_.empty(); });
@@ -83,7 +83,7 @@ void Speaker::run() {
   std::vector<int16_t> block;
   while (pcm && mix(block)) {
     snd_pcm_sframes_t n = snd_pcm_writei(pcm, block.data(), block.size());
-    // after a pause the device has run dry: that is no fault
+    // an underrun after a pause is no error
     if (n < 0)
       n = snd_pcm_recover(pcm, static_cast<int>(n), 1) < 0 ? n
                                                            : snd_pcm_writei(pcm, block.data(), block.size());

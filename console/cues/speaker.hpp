@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The way to the loudspeaker. Never waits: samples go to a thread of its own, and where no sound device answers nothing
-// happens but that ok() says so.
+// Output to the loudspeaker. Calls never block: a thread of its own writes the samples. Without a sound device ok() is false
+// and sounds are dropped.
 #pragma once
 
 #include <QString>
@@ -13,19 +13,19 @@
 
 namespace swage::console {
 
-/// play(), set_volume() and why_silent() from the GUI thread. The device is opened with the first sound.
+/// play(), set_volume() and why_silent() are for the GUI thread. The device is opened with the first sound.
 class Speaker {
  public:
-  /// `device`: a name of ALSA, "default" goes through PulseAudio or PipeWire where they run; "null" swallows everything.
+  /// `device`: an ALSA name; "default" uses PulseAudio or PipeWire where they run; "null" discards all samples.
   explicit Speaker(const char* device = "default") : device_(device) {}
   ~Speaker();
   Speaker(const Speaker&) = delete;
   Speaker& operator=(const Speaker&) = delete;
 
-  void play(Pcm pcm);             // mixed with what sounds already
+  void play(Pcm pcm);             // mixed with the sounds being played
   void set_volume(double share);  // 0 to 1
   double volume() const { return volume_; }
-  QString why_silent();  // "" while nothing is wrong
+  QString why_silent();  // reason for silence, "" while there is none
   uint64_t written();    // samples that the device has taken
 
  private:
@@ -34,7 +34,7 @@ class Speaker {
 
   const char* device_;
   double volume_ = 0.7;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable wake_;
   Pcm waiting_;  // mixed, not yet written
   std::string problem_;

@@ -6,7 +6,7 @@
 namespace swage::console {
 namespace {
 
-// What the files of resources/themes say; test console.language compares.
+// The texts in the files of resources/themes; test console.language compares them.
 const char* const kWords[] = {
     QT_TRANSLATE_NOOP("themes", "Position wrong, without tips"),
     QT_TRANSLATE_NOOP("themes", "Position wrong, with tips"),

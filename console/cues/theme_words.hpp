@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Titles, words and names of sounds of the themes, in the language of the window. Themes are data, so the words are listed here too.
+// Titles, texts and sound names of the themes in the language of the window. Themes are data files: translatable texts are listed here.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 namespace swage::console {
 
 QString theme_word(const QString& text);
-/// All that can be translated.
+/// All translatable texts.
 QStringList theme_words();
 
 }  // namespace swage::console

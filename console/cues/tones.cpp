@@ -9,17 +9,17 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLow_Hz = 260, kHigh_Hz = 780;  // an octave and a half apart: nobody takes one for the other
-constexpr double kKnock_s = 0.05;                // two of them and the gap between fit into 120 ms
+constexpr double kLow_Hz = 260, kHigh_Hz = 780;  // an octave and a half apart, so that they are not confused
+constexpr double kKnock_s = 0.05;                // two knocks and the gap between fit into 120 ms
 constexpr double kGap_s = 0.07;                  // from knock to knock
-constexpr double kEdge_s = 0.003;                // fade at both ends: shorter clicks
-constexpr double kAgain_s = 0.35;                // between two rattles while there is too much force
-constexpr double kQuiet_s = 0.15;  // the same sound not more often: a cue that flickers must not hum
+constexpr double kEdge_s = 0.003;                // fade at both ends: a shorter one clicks
+constexpr double kAgain_s = 0.35;                // between two rattles during excess force
+constexpr double kQuiet_s = 0.15;  // shortest interval between two plays of one sound: a flickering cue must not hum
 const QString kRattle = QStringLiteral("soft rattle");
 
 double wave(double hertz, double t) { return std::sin(2 * std::numbers::pi * hertz * t); }
 
-// adds amplitude * f(t) from `at_s` on, faded at both ends
+// adds amplitude * f(t) from `at_s` on, with a fade at both ends
 template <class F>
 void add(Pcm& pcm, double at_s, double length_s, double amplitude, F f) {
   const auto first = static_cast<size_t>(at_s * kSoundRate_Hz),
@@ -40,7 +40,7 @@ void knocks(Pcm& pcm, double hertz, int n) {
   }
 }
 
-// the same noise every time
+// pseudo-random noise, the same sequence for every sound
 double noise(uint32_t& state) {
   state = state * 1664525U + 1013904223U;
   return static_cast<double>(state) / 2147483648.0 - 1.0;

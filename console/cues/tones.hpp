@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The sounds of cues, made by arithmetic: pitch tells the spot, the number of knocks tells the tips.
+// Synthesised sounds of cues: the pitch tells the grasp position, the number of knocks whether the tips are used.
 #pragma once
 
 #include <QHash>
@@ -18,15 +18,15 @@ inline constexpr int kSoundRate_Hz = 48000;
 
 /// The names that a theme may use.
 QStringList tone_names();
-/// A sound of 60 to 500 ms that begins and ends in silence; empty for "" and for a name that is not known.
+/// A sound of 60 to 500 ms that begins and ends in silence; empty for "" and for an unknown name.
 Pcm tone(const QString& name);
 
-/// Which sounds belong to what is shown now: one when a meaning appears, again and again while there is too much force.
-/// Makes no sound itself; call at display rate.
+/// Selects the sounds for the cues shown: one when a meaning appears, repeated ones during excess force.
+/// Only returns names; to be called at display rate.
 class CueSounds {
  public:
   void reset();
-  /// `meanings`: all cues now shown. `time_s` of the attempt. Returns names of sounds, usually none.
+  /// `meanings`: all cues now shown. `time_s`: of the attempt. Returns names of sounds, usually none.
   QStringList hear(const QStringList& meanings, double time_s, const CueTheme& theme);
 
  private:

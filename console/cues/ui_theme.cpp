@@ -66,11 +66,11 @@ QString UiTheme::style_sheet() const {
   QFile file(QStringLiteral(":/themes/console.qss"));
   if (!file.open(QIODevice::ReadOnly)) return {};
   QString sheet = QString::fromUtf8(file.readAll());
-  // longest first: @accent must not eat the start of @accent_text
+  // longest first, so that @accent is not replaced within @accent_text
   QStringList roles = colours_.keys();
   std::sort(roles.begin(), roles.end(),
             [](const QString& a, const QString& b) { return a.size() > b.size(); });
-  // a state is never told by colour alone: the tick stands out against the accent
+  // state is not told by colour alone: the tick contrasts with the accent colour
   const bool light = colours_.value(QStringLiteral("accent_text")).lightnessF() > 0.5;
   sheet.replace(QStringLiteral("%TICK%"), light ? QStringLiteral(":/themes/tick_light.svg") : QStringLiteral(":/themes/tick_dark.svg"));
   for (const QString& role : roles) sheet.replace(QLatin1Char('@') + role, colours_[role].name());

@@ -17,8 +17,8 @@ class UiTheme {
   static QStringList names();  // "light", "dark", "contrast"
   static UiTheme stock(const QString& name);
   const QString& id() const { return id_; }
-  const QString& title() const { return title_; }  // for people
-  /// Roles are the keys of the file; an unknown role is magenta, so that it is seen.
+  const QString& title() const { return title_; }  // name shown to people
+  /// Roles are the keys of the file; an unknown role is magenta, so that the error is visible.
   QColor colour(const QString& role) const { return colours_.value(role, Qt::magenta); }
   QColor operator[](const char* role) const { return colour(QString::fromLatin1(role)); }
   /// Whether text is light and backgrounds dark.

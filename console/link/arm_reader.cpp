@@ -10,8 +10,8 @@ namespace swage::console {
 namespace {
 
 constexpr int kPoll_ms = 16;
-constexpr std::size_t kStill = 20;  // places in a third of a second
-constexpr double kStill_m = 1e-3;   // a hand that rests on something shakes by some tenths of a millimetre
+constexpr std::size_t kStill = 20;  // positions: a third of a second at kPoll_ms
+constexpr double kStill_m = 1e-3;   // a resting hand shakes by some tenths of a millimetre
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void ArmReader::stop() {
   session_.reset();
 }
 
-// A lesson that has come to its end is begun again: the arm is all that is wanted of it.
+// Restarts a lesson that has ended: only the position of the arm is wanted.
 void ArmReader::poll() {
   if (!session_) return;
   if (session_->finished() && !start().isEmpty()) return stop();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Where the tip of an arm is, in its own frame: read from a session that keeps nothing and pushes nobody. For the registration of a
+// The position of an arm's tip in the arm's own frame, read from a session without a store and without forces. For the registration of a
 // station. GUI thread.
 #pragma once
 
@@ -19,16 +19,16 @@ namespace swage::console {
 class ArmReader : public QObject {
   Q_OBJECT
  public:
-  /// `options`: lesson, device, and settings that put it at the origin with forces off.
+  /// `options`: lesson, device, and settings that put the arm's base at the origin and switch its forces off.
   ArmReader(SessionOpener opener, session::Options options, QObject* parent = nullptr);
   ~ArmReader() override;
 
-  /// "" or why the device cannot be read, as a sentence.
+  /// Returns "", or why the device cannot be read, as a sentence.
   QString start();
   void stop();
-  /// Mean of the last third of a second, m; nothing while no valid place comes or the tip still moves by more than a millimetre.
+  /// Mean position of the last third of a second, m; no value without valid positions or while the tip still moves by more than 1 mm.
   std::optional<swage_vec3> still() const;
-  /// The newest valid place, m.
+  /// The newest valid position, m.
   std::optional<swage_vec3> newest() const;
 
  Q_SIGNALS:
@@ -41,7 +41,7 @@ class ArmReader : public QObject {
   session::Options options_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<snapshot::Snapshot> now_;
-  std::deque<swage_vec3> last_;  // one each kPoll_ms
+  std::deque<swage_vec3> last_;  // one for each kPoll_ms
   QTimer timer_;
 };
 

@@ -12,9 +12,9 @@
 namespace swage::console {
 namespace {
 
-// steps between two frames of the way: 20 ms, in which an instrument moves some tenths of a millimetre
+// steps between two frames of the recorded path: 20 ms, in which an instrument moves some tenths of a millimetre
 constexpr uint64_t kEvery = 20;
-// below the session's threads, which are not to wait for a helper
+// nice value: the session's threads have precedence over the guide
 constexpr int kNice = 10;
 
 swage_vec3 metres(const QVector3D& mm) {
@@ -48,7 +48,7 @@ Guide::~Guide() {
   thread_.join();
 }
 
-// [of its own]
+// [thread_]
 void Guide::run() {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   const auto now = std::make_unique<snapshot::Snapshot>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Live help: an expert plays the same lesson, with the same targets, on a thread of its own, and a ghost of the instruments goes that
-// way at the trainee's pace. The way grows while the attempt runs; an expert without a clock is far ahead of any trainee.
+// Live help: an expert plays the same lesson, with the same targets, on a thread of its own, and a ghost of the instruments follows the
+// expert's path at the trainee's pace. The path grows during the attempt; the expert runs faster than real time, far ahead of any trainee.
 #pragma once
 
 #include <atomic>
@@ -17,15 +17,15 @@
 
 namespace swage::console {
 
-/// An expert at a lesson, to be wound forward only; nullptr and problems where the lesson has none.
+/// Opens an expert for a lesson, to be stepped forward only; nullptr and problems where the lesson has none.
 using ExpertOpener = std::function<std::unique_ptr<Player>(const session::Options& options, base::Problems& problems)>;
 
-/// How far trainee and ghost are, m of the expert's way.
+/// Positions of trainee and ghost, as path length along the expert's path, m.
 struct GuidePosition {
   double progress_way_m = 0, shown_way_m = 0;
 };
 
-/// GUI thread, but for the thread that it has.
+/// For the GUI thread. Owns the expert's thread.
 class Guide {
  public:
   explicit Guide(std::unique_ptr<Player> expert);
@@ -34,10 +34,10 @@ class Guide {
   Guide& operator=(const Guide&) = delete;
 
   const snapshot::SceneCard& card() const { return card_; }
-  /// Poses of the ghost beside this trainee, body by body as in card(); none before the expert has begun, or when it has failed.
+  /// Poses of the ghost for this state of the trainee, body by body as in card(); empty before the expert has begun, or when it has failed.
   const std::vector<swage_pose>& beside(const snapshot::Snapshot& trainee);
   GuidePosition position() const;
-  /// The expert has come to its end. Where it did not pass nobody should go its way.
+  /// True when the expert has finished. failed(): the expert did not pass, and no ghost is shown.
   bool done() const { return done_; }
   bool failed() const { return failed_; }
 
@@ -49,20 +49,20 @@ class Guide {
   };
   void run();
 
-  const std::unique_ptr<Player> expert_;  // of the thread, while it runs
+  const std::unique_ptr<Player> expert_;  // used by thread_ alone while it runs
   const snapshot::SceneCard card_;
-  uint32_t bodies_ = 0;  // up to the last one of an instrument
+  uint32_t bodies_ = 0;  // up to the last body of an instrument
   GhostPath path_;
   GhostPace pace_;
   std::vector<swage_pose> shown_;
   double last_s_ = 0;
   std::mutex lock_;
-  std::vector<Made> made_;  // and not yet taken; under the lock
+  std::vector<Made> made_;  // frames not yet taken; guarded by lock_
   std::atomic<bool> stop_{false}, done_{false}, failed_{false};
   std::thread thread_;
 };
 
-/// By which instruments of a scene are compared: their tips, and the middle of each of their bodies.
+/// The points by which instruments are compared: their tips, and the centre of each of their bodies.
 std::vector<BodyPlace> instrument_places(const snapshot::SceneCard& card);
 
 }  // namespace swage::console

@@ -8,9 +8,9 @@
 namespace swage::console {
 namespace {
 
-// m of what is seen for a movement of 1: the normal height of a view, and what a mouse moves the tips for it
+// m in the scene per unit of pointer movement: the normal height of a view, by which devices scale the mouse
 constexpr double kSpan_m = 10e-3;
-constexpr double kNotch = 120;  // eighths of a degree in one click of a usual wheel
+constexpr double kNotch = 120;  // eighths of a degree per click of a usual mouse wheel
 
 uint32_t modifier_bits(Qt::KeyboardModifiers m) {
   return (m & Qt::ShiftModifier ? 1U : 0U) | (m & Qt::ControlModifier ? 2U : 0U) |
@@ -87,7 +87,7 @@ swage_pointer PointerInput::buttons(const QMouseEvent& event) {
 swage_pointer PointerInput::wheel(const QWheelEvent& event) {
   modifiers_ = modifier_bits(event.modifiers());
   swage_pointer p = state();
-  // Alt turns the wheel sideways on some platforms
+  // with Alt some platforms report the wheel as horizontal
   const QPoint angle = event.angleDelta();
   p.wheel = (angle.y() != 0 ? angle.y() : angle.x()) / kNotch;
   return p;

@@ -6,7 +6,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kPoll_ms = 16;  // display rate; the session does not notice
+constexpr int kPoll_ms = 16;  // display rate; polling does not delay the session
 
 }  // namespace
 
@@ -107,8 +107,8 @@ void RunControl::poll() {
 
 void RunControl::finish() {
   timer_.stop();
-  session_->wait();  // it has finished: this takes it down, and only then its result is complete
-  // what happened last must be seen too
+  session_->wait();  // the session has finished: this stops its threads, after which the result is complete
+  // shows the final state
   if (session_->latest(*latest_)) source_.push(*latest_, wall_s());
   for (judge::Event event; session_->next_event(event);) Q_EMIT happened(event);
   result_ = session_->result();

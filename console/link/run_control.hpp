@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The console's hand on a session: opens it, sends commands, polls at display rate, tells what happened.
+// The console's control of a session: opens it, sends commands, polls at display rate, emits events.
 #pragma once
 
 #include <QElapsedTimer>
@@ -31,16 +31,16 @@ class RunControl : public QObject {
 
   State state() const { return state_; }
   bool running() const { return state_ == State::kRunning || state_ == State::kPaused; }
-  /// The scene of a lesson, without running it. nullptr with problems when the lesson does not load.
+  /// The scene of a lesson at its start. nullptr with problems when the lesson does not load.
   std::unique_ptr<snapshot::SceneCard> preview(const session::Options& options,
                                                std::vector<base::Problem>& problems);
 
   const snapshot::SceneCard& card() const { return card_; }
-  /// What the view shows now; nullptr when there is nothing yet.
+  /// The interpolated snapshot of the view; nullptr before the first.
   const snapshot::Snapshot* shown();
   const snapshot::Snapshot* newest() const { return source_.newest(); }
   const session::Result& result() const { return result_; }
-  /// Of the attempt that runs or has ended; "" when nothing is kept.
+  /// Id of the running or ended attempt; "" when the attempt is not stored.
   const std::string& attempt_id() const { return attempt_id_; }
   const session::Options& options() const { return options_; }
   const SessionOpener& opener() const { return opener_; }
@@ -48,20 +48,20 @@ class RunControl : public QObject {
  public Q_SLOTS:
   bool start(const session::Options& options);
   void toggle_pause();
-  void reset_work();  // the object that is worked on, back to its start
+  void reset_work();  // returns the object that is worked on to its start
   void mark();
-  void note(const std::string& text);  // kept with the attempt, at this moment
+  void note(const std::string& text);  // stores a note at the present time of the attempt
   void stop();
 
  public:
   void pointer(const swage_pointer& input);
-  /// New value of a live parameter; "" when it was taken over, else why not, as a sentence.
+  /// New value of a live parameter. Returns "" when it was accepted, else the reason, as a sentence.
   QString change(const std::string& instance, const std::string& json);
 
  Q_SIGNALS:
   void state_changed();
   void opened();  // card() is new
-  void told(const std::vector<swage::base::Problem>& problems);  // of an attempt that starts all the same
+  void told(const std::vector<swage::base::Problem>& problems);  // problems of an attempt that starts all the same
   void failed(const std::vector<swage::base::Problem>& problems);
   void frame();  // at display rate while running
   void happened(const swage::judge::Event& event);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostUndos = 200;
 
-const std::string kInstructor = "instructor";  // the console knows no accounts
+const std::string kInstructor = "instructor";  // author of every change; the console has no accounts
 
 }  // namespace
 
@@ -29,7 +29,7 @@ class SchoolEdit : public QUndoCommand {
   SchoolDesk::Call redo_, undo_;
 };
 
-/// The whole course before and after, so that any edit is undone alike.
+/// Holds the whole course before and after, so that every edit is undone in the same way.
 class CourseEdit : public QUndoCommand {
  public:
   CourseEdit(SchoolDesk* desk, const QString& words, record::Course before, record::Course after, int field)
@@ -45,7 +45,7 @@ class CourseEdit : public QUndoCommand {
   void undo() override { to(before_, after_); }
 
  private:
-  // Neither id stays empty once it was made: the course that comes back is the same.
+  // Copies the new id into the other state, so that undo and redo keep the course's identity.
   void to(record::Course& wanted, record::Course& other) {
     const bool removed = &wanted == &before_ ? is_new_ : is_removal_;
     if (!desk_->call([&](record::School& s) { return removed ? s.remove_course(other.id) : s.save_course(wanted); }))
@@ -62,7 +62,7 @@ SchoolDesk::SchoolDesk(SchoolOpener opener, QObject* parent) : QObject(parent), 
   for (QUndoStack* stack : {&people_, &courses_, &notes_}) stack->setUndoLimit(kMostUndos);
 }
 
-// the stacks' commands know the desk
+// the commands on the stacks refer to this object
 SchoolDesk::~SchoolDesk() {
   for (QUndoStack* stack : {&people_, &courses_, &notes_}) stack->clear();
 }
@@ -138,7 +138,7 @@ bool SchoolDesk::add_people(const QVector<RosterLine>& lines) {
         for (size_t i = 0; i < people->size(); ++i) {
           if (s.add_person((*people)[i])) continue;
           why_ = s.error();
-          remove(s, i);  // all of them or none
+          remove(s, i);  // all people or none
           return false;
         }
         return true;

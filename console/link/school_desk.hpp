@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What an instructor changes about people, attempts and courses. Each change is written at once and can be undone; what failed has
-// changed nothing and is said in a sentence. There is nothing to save.
+// An instructor's changes to people, attempts and courses. Each change is written at once and can be undone; a failed one
+// changes nothing and problem() has the reason, as a sentence. There is nothing to save.
 #pragma once
 
 #include <QObject>
@@ -26,38 +26,38 @@ class SchoolDesk : public QObject {
   explicit SchoolDesk(SchoolOpener opener, QObject* parent = nullptr);
   ~SchoolDesk() override;
 
-  /// nullptr where nothing can be changed, and problem() says why.
+  /// nullptr when the store cannot be changed; problem() has the reason.
   record::School* school();
   const QString& problem() const { return problem_; }
-  /// Titles of the courses that have a lesson, without archived ones.
+  /// Titles of the courses that contain a lesson, without archived ones.
   QStringList courses_with(const QString& lesson_id);
   QUndoStack* people_edits() { return &people_; }
   QUndoStack* course_edits() { return &courses_; }
   QUndoStack* note_edits() { return &notes_; }
 
-  /// The new ones of a list; groups that are not there yet are made. One undo takes all back.
+  /// Adds the new people of a list and creates missing groups. One undo reverts all.
   bool add_people(const QVector<RosterLine>& lines);
   bool change_person(const record::Person& after);
   bool set_void(const QString& attempt_id, bool is_void, const QString& reason);
-  /// Gives an attempt of one person, usually Guest, to another.
+  /// Moves an attempt from one person, usually Guest, to another.
   bool give_attempt(const QString& attempt_id, const QString& from_id, const QString& to_id);
-  /// For good: there is no undo, and what was done before cannot be undone any more.
+  /// Permanent: it cannot be undone, and clears the undo history of people.
   bool erase_person(const QString& id);
-  /// The id of a group of that name, made where there is none; "" for no name or on failure.
+  /// The id of a group of that name, created if missing; "" for no name or on failure.
   std::string group_id(const QString& name);
 
-  /// A new course where `before` has no id; removed where `after` has none. Edits with the same `field` that follow each other are
-  /// one undo.
+  /// Creates a course where `before` has no id; removes it where `after` has none. Consecutive edits with the same `field` are
+  /// undone together.
   bool change_course(record::Course before, record::Course after, const QString& words, int field = -1);
-  /// Gives people, or groups, a course; "" takes what they were given. One undo takes all back. `due`: "" or 2030-01-31.
+  /// Assigns a course to people or groups; "" removes their assignment. One undo reverts all. `due`: "" or 2030-01-31.
   bool assign(const QString& course_id, const std::vector<std::string>& who, bool to_group, const QString& due);
-  /// Freezes a lesson; for good, as attempts refer to it. False: problem() says why.
+  /// Freezes a lesson permanently, as attempts refer to it. False: problem() has the reason.
   bool publish(const QString& lesson_id, const QString& title, const std::string& text, record::LessonVersion& out);
-  /// No longer offered, or offered again.
+  /// Stops offering a version, or offers it again.
   bool retire(const record::LessonVersion& version, bool retired);
   bool add_note(record::Note note);
   bool remove_note(const record::Note& note);
-  /// An instructor's points for an item of a rating scale; nothing: taken back.
+  /// Sets an instructor's points for an item of a rating scale; no value: removes them.
   bool rate(const std::string& attempt_id, const std::string& item, std::optional<double> points);
   /// The instructor's points of an attempt by item.
   std::vector<std::pair<std::string, double>> given(const std::string& attempt_id);
@@ -76,8 +76,8 @@ class SchoolDesk : public QObject {
   SchoolOpener opener_;
   std::unique_ptr<record::School> school_;
   QString problem_;
-  std::string why_;         // of a call that has cleaned up since
-  bool succeeded_ = false;  // the last call
+  std::string why_;         // error of a call that reverted its own changes afterwards
+  bool succeeded_ = false;  // result of the last call
   QUndoStack people_, courses_, notes_;
 };
 

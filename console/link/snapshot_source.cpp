@@ -8,14 +8,14 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLeastDelay_s = 0.002;  // two steps: hides the jitter of one
-constexpr double kMostDelay_s = 0.1;     // a slower session is shown as it comes
-constexpr double kForget = 0.02;  // share by which the delay shrinks at each arrival: 1 s to forget a hiccup
+constexpr double kLeastDelay_s = 0.002;  // two steps: hides the jitter of one step
+constexpr double kMostDelay_s = 0.1;     // longest delay; a session with larger gaps is shown with pauses
+constexpr double kForget = 0.02;  // share by which the delay shrinks at each arrival: 1 s to recover from a pause
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
 swage_pose mix(const swage_pose& a, const swage_pose& b, double t) {
-  // the short way round; between two display frames a straight line on the sphere is as good as an arc
+  // the shorter of the two rotations; between two display frames linear interpolation of quaternions is as good as slerp
   const double d = a.q.w * b.q.w + a.q.x * b.q.x + a.q.y * b.q.y + a.q.z * b.q.z;
   const double s = d < 0 ? -1 : 1;
   swage_pose out{{mix(a.p.x, b.p.x, t), mix(a.p.y, b.p.y, t), mix(a.p.z, b.p.z, t)},
@@ -52,7 +52,7 @@ void SnapshotSource::clear() {
 void SnapshotSource::push(const snapshot::Snapshot& newest, double wall_s) {
   const double last_poll = std::exchange(last_poll_s_, wall_s);
   if (have_ > 0 && newest.step == to_->step) return;
-  // how long nothing new was there: that much later the picture must be to stay smooth
+  // time without a new snapshot: the delay that keeps the picture smooth
   const double gap = have_ > 0 ? std::max(0.0, last_poll - to_wall_s_) : 0;
   delay_s_ = std::clamp(std::max(gap, delay_s_ * (1 - kForget)), kLeastDelay_s, kMostDelay_s);
   std::swap(from_, to_);

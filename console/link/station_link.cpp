@@ -12,9 +12,9 @@ namespace {
 using record::Stations;
 
 constexpr int kBeat_ms = static_cast<int>(1000 * record::kBeat_s);
-constexpr int kList_ms = 250;       // the list is read no more often, however many speak
-constexpr qint64 kStale_ms = 1000;  // and no less often while it is looked at: who is lost says nothing
-constexpr qint64 kRetry_ms = 2000;  // after a failure
+constexpr int kList_ms = 250;       // shortest interval between reads of the list, however many stations report
+constexpr qint64 kStale_ms = 1000;  // longest interval while the list is watched: lost stations send no notice
+constexpr qint64 kRetry_ms = 2000;  // after a failed connection
 constexpr int kPicture_px = 480;    // width: 20 to 60 kB, enough to see where needle and jaws are
 
 std::string png_of(const QImage& image) {
@@ -91,13 +91,13 @@ class StationWorker : public QObject {
     QMetaObject::invokeMethod(link_, [link = link_, call] { call(*link); }, Qt::QueuedConnection);
   }
 
-  // Not inside the call of the driver, whose connection may be given up by what follows.
+  // Posts a call, so that it does not run inside a driver callback: the call may close the driver's connection.
   template <class Call>
   void later(Call call) {
     QMetaObject::invokeMethod(this, call, Qt::QueuedConnection);
   }
 
-  // True with an open connection; after a failure the next try is kRetry_ms later.
+  // True with an open connection; after a failure the next attempt is kRetry_ms later.
   bool reach() {
     if (there_) return true;
     if (tried_.isValid() && tried_.elapsed() < kRetry_ms) return false;
@@ -122,7 +122,7 @@ class StationWorker : public QObject {
     return there_ != nullptr;
   }
 
-  // What failed because the server is gone is said once, and the connection is given up.
+  // Returns `done`; when the connection is lost, reports the problem once and closes the connection.
   bool good(bool done) {
     if (done || !there_) return done;
     error_ = there_->error();
@@ -266,7 +266,7 @@ void StationLink::forget(const QString& station) {
   ask([s = station.toStdString()](StationWorker& w) { w.forget(s); });
 }
 
-// The message leaves the screen at once; its receipt is written when the server answers.
+// The message is removed from the screen at once; its receipt is written when the server answers.
 void StationLink::answer(const std::string& message_id, const QString& answer) {
   std::erase_if(inbox_, [&](const record::StationMessage& m) { return m.id == message_id; });
   Q_EMIT inbox_changed();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// This station among those of the school. A thread of its own talks to the server, with a connection of its own: however long that
-// takes, the window and the lesson go on. What this station does is asked of it twice a second and only its newest word is kept.
+// This station among those of the school. A thread of its own talks to the server over a connection of its own, so that a slow server
+// delays neither window nor lesson. The station's state is read twice a second, and only the newest one is kept.
 #pragma once
 
 #include <QElapsedTimer>
@@ -19,7 +19,7 @@
 
 namespace swage::console {
 
-/// How the stations of the school are reached: record::Stations::open, or a test double. nullptr and `error` on failure.
+/// Connects to the stations of the school: record::Stations::open, or a test double. nullptr and `error` on failure.
 using StationsOpener = std::function<std::unique_ptr<record::Stations>(std::string& error)>;
 
 class StationWorker;
@@ -30,29 +30,29 @@ class StationLink : public QObject {
   using Kind = record::StationMessage::Kind;
 
   explicit StationLink(QObject* parent = nullptr) : QObject(parent) {}
-  /// Takes this station out of the list; a server that does not answer is waited for 3 s at most.
+  /// Takes this station out of the list; waits at most 3 s for the server's answer.
   ~StationLink() override;
 
-  /// Begins. No opener: there is no server, and nothing ever happens.
+  /// Starts the thread. Without an opener there is no server, and no signal is ever emitted.
   void start(StationsOpener opener, const QString& wanted_name);
   bool has_server() const { return worker_ != nullptr; }
-  /// What this station does; asked in this thread.
+  /// Source of this station's state; called in this thread.
   void set_voice(std::function<record::StationNow()> voice) { voice_ = std::move(voice); }
-  /// What is seen at this station; asked in this thread when somebody wants a picture.
+  /// Source of this station's picture; called in this thread when another station asks for one.
   void set_camera(std::function<QImage()> camera) { camera_ = std::move(camera); }
-  /// Whether anybody looks at stations().
+  /// Whether stations() is being watched.
   void watch(bool on);
-  /// Something has changed that others should see before the next beat.
+  /// Reports a change at once, before the next regular report.
   void tell_now();
 
-  /// Under which this station is known, "" before the server has answered.
+  /// Name by which other stations know this one, "" before the server has answered.
   const QString& name() const { return name_; }
   const std::vector<record::StationNow>& stations() const { return stations_; }
   /// s since stations() was read.
   double age_s() const { return read_.isValid() ? 1e-3 * static_cast<double>(read_.elapsed()) : 0; }
   const std::vector<record::StationMessage>& inbox() const { return inbox_; }
   const std::vector<record::StationMessage>& sent() const { return sent_; }
-  /// Why the server is not there, as a sentence; "" while it answers.
+  /// Why the server cannot be reached, as a sentence; "" while it answers.
   const QString& problem() const { return problem_; }
 
   void send(const QString& to, Kind kind, const QString& body, const QString& title = {});
@@ -67,7 +67,7 @@ class StationLink : public QObject {
   void sent_changed();
   void problem_changed();
   void pictured(const QString& station, const QImage& picture, double age_s);
-  /// A mark was set at that time of the attempt, s.
+  /// A mark was set in the attempt's record at this time, s.
   void marked(const QString& station, double time_s);
   void refused(const QString& why);
 
@@ -83,8 +83,8 @@ class StationLink : public QObject {
   StationWorker* worker_ = nullptr;  // of thread_
   QThread thread_;
   QTimer beat_;
-  std::mutex mutex_;         // of said_, between the two threads
-  record::StationNow said_;  // the newest
+  std::mutex mutex_;         // guards said_ between the two threads
+  record::StationNow said_;  // newest state of this station
   QString name_, problem_;
   std::vector<record::StationNow> stations_;
   std::vector<record::StationMessage> inbox_, sent_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The store of people and attempts, one for all pages: opened when it is first needed, and again after it failed.
+// The store of people and attempts, shared by all pages: opened at its first use, and again after a failure.
 #pragma once
 
 #include <QObject>
@@ -20,16 +20,16 @@ class StoreLink : public QObject {
  public:
   explicit StoreLink(StoreOpener opener, QObject* parent = nullptr) : QObject(parent), opener_(std::move(opener)) {}
 
-  /// nullptr where there is none, and problem() says why. Whoever looks at an attempt keeps its store open.
+  /// nullptr when there is no store; problem() has the reason. A page that shows an attempt holds its store open.
   std::shared_ptr<record::Store> store();
   const QString& problem() const { return problem_; }
-  /// Whether the last call gave all there is. False: problem() says why, and the next store() opens it again.
+  /// Whether the last call returned complete data. False: problem() has the reason, and the next store() opens it again.
   bool reads();
-  /// Whether anything was written since the last look, by whomever. Cheap.
+  /// Whether anyone has written to the store since the last call. Cheap.
   bool changed() { return store_ && !broken_ && store_->changed(); }
 
  Q_SIGNALS:
-  /// Attempts of a program that ended unexpectedly were brought to an end.
+  /// Attempts of a program that ended unexpectedly were closed.
   void recovered(int attempts);
 
  private:

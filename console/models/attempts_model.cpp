@@ -130,7 +130,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
   std::stable_sort(order.begin(), order.end(),
                    [](const auto* a, const auto* b) { return a->started_utc < b->started_utc; });
   for (const record::AttemptRow* a : order) {
-    // what was stopped half way says nothing about skill
+    // an aborted attempt says nothing about skill
     if (!counts(*a)) continue;
     const bool passed = a->outcome == "passed";
     if (id == kScoreId && !has_score(*a)) {
@@ -153,7 +153,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
   }
   const int32_t show = metric_show(id);
   const bool negative = std::any_of(series.points.begin(), series.points.end(), [](const MetricPoint& p) { return p.value < 0; });
-  if (!negative) series.least = 0;  // amounts
+  if (!negative) series.least = 0;  // metrics without negative values are amounts, which have no values below 0
   if (id == kScoreId) series.most = 100;
   if (show == SWAGE_SHOW_YES_NO) series.most = 1;
   return series;
@@ -161,7 +161,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
 
 namespace {
 
-// what attempts that were not passed are in the curve
+// a sentence on the points that come from attempts not passed
 QString about_failures(const MetricSeries& series) {
   if (series.without_score > 0)
     return QLatin1Char(' ') + QObject::tr("Not passed, so without a score and left out: %1.").arg(series.without_score);
@@ -180,7 +180,7 @@ void fit_curve(MetricSeries& series) {
   }
   std::vector<double> values;
   for (const MetricPoint& p : series.points) values.push_back(p.value);
-  // within the metric's scale: a fit and its interval know nothing of it
+  // clamped to the metric's scale, which the fit and its interval do not know
   const auto text = [&](double v) {
     v = std::clamp(v, series.least.value_or(v), std::max(series.most.value_or(v), series.least.value_or(v)));
     const QString number = series.id == kScoreId ? QLocale().toString(v, 'f', 0) : QLocale().toString(v, 'g', 3);
@@ -196,7 +196,7 @@ void fit_curve(MetricSeries& series) {
     return;
   }
   for (int i = 0; i < n; ++i) series.curve += curve.at(i + 1);
-  // a level that lies further outside than the attempts spread is no level that anybody has seen
+  // a fitted level further outside than the spread of the attempts is not credible
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double span = *most - *least;
   const bool level = curve.low >= *least - span && curve.high <= *most + span;

@@ -30,38 +30,38 @@ class AttemptsModel : public QAbstractTableModel {
   QVector<record::AttemptRow> rows_;
 };
 
-/// An attempt that a scripted or recorded hand made: shown, and no person's progress.
+/// Whether a scripted or recorded hand made the attempt: it is shown, but is no person's progress.
 bool is_hand(const record::AttemptRow& attempt);
-/// An attempt that counts for its person: judged, not void, not of a recorded hand. Every count and every curve is of these.
+/// Whether the attempt counts for its person: judged, not void, not by a recorded hand. All counts and curves use only such attempts.
 bool counts(const record::AttemptRow& attempt);
 /// Only an attempt that was passed has a score.
 bool has_score(const record::AttemptRow& attempt);
 
-/// One metric over the attempts, oldest first; what a chart draws.
+/// One metric over the attempts, oldest first, as drawn in a chart.
 struct MetricPoint {
-  double value = 0;  // as shown, in the unit of the series
+  double value = 0;  // in the display unit of the series
   bool met = false, test = false;
   QString day, tip;
 };
 struct MetricSeries {
   QString id, name, unit;
   int32_t better = SWAGE_BETTER_NONE;
-  QString formula;      // how it is computed, where the lesson says
-  MetricTarget target;  // as shown
-  double factor = 1;    // from SI to what is shown
-  QVector<double> curve;  // a value per point, where a law of learning was fitted; empty otherwise
-  QString fit;            // what the fit says, or why there is none
-  std::optional<double> least, most;  // of the metric's own scale, as shown: no value lies beyond
-  int failed = 0, without_score = 0;  // not passed: those among the points, and those left out because they have no score
-  std::optional<std::pair<double, double>> experts;  // their band, 10 % to 90 %, as shown
-  QString who;                                       // the experts are
+  QString formula;      // how the metric is computed, if the lesson says so
+  MetricTarget target;  // in the display unit
+  double factor = 1;    // from SI to the display unit
+  QVector<double> curve;  // fitted value at each point; empty without a fitted learning curve
+  QString fit;            // result of the fit, or why there is none
+  std::optional<double> least, most;  // limits of the metric's scale, in the display unit
+  int failed = 0, without_score = 0;  // attempts not passed: among the points, and left out because they have no score
+  std::optional<std::pair<double, double>> experts;  // the experts' band, 10 % to 90 %, in the display unit
+  QString who;                                       // who the experts are
   QVector<MetricPoint> points;
 };
 
-/// Fits the curve of learning and says what it means.
+/// Fits the learning curve and puts its meaning into words.
 void fit_series(MetricSeries& series);
-/// The metrics that these attempts have (score and time first), and the series of one of them. An attempt that was not passed has
-/// no score and is no point of the score's series; of any other metric it counts with what was measured.
+/// The metrics of these attempts (score and time first), and the series of one of them. An attempt that was not passed has
+/// no score and is left out of the score's series; in all other series it counts with its measured value.
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts);
 MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id);
 

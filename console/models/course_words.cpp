@@ -15,9 +15,9 @@
 namespace swage::console {
 namespace {
 
-constexpr uint32_t kAttempts = 30;   // about as many as a resident makes at a lesson
-constexpr uint32_t kRuns = 10'000;   // to 0.5 of 100, in a tenth of a second
-constexpr size_t kFewExperts = 5;    // fewer say little about experts (ux-assessment 12.4)
+constexpr uint32_t kAttempts = 30;   // about as many as a resident makes of a lesson
+constexpr uint32_t kRuns = 10'000;   // simulated trainees: accuracy 0.5 of 100, in a tenth of a second
+constexpr size_t kFewExperts = 5;    // fewer are a poor sample of experts (ux-assessment 12.4)
 
 class CourseWords {
   Q_DECLARE_TR_FUNCTIONS(course_words)
@@ -61,10 +61,11 @@ QString together_words(const std::vector<judge::Limit>& limits, const std::vecto
   std::vector<std::vector<std::pair<std::string, double>>> values;
   for (const record::AttemptRow* a : experts) {
     auto& own = values.emplace_back();
+    if (!has_score(*a)) continue;  // not passed: it meets nothing, as in a course
     for (const judge::Limit& l : limits) own.emplace_back(l.metric, metric_value(*a, QString::fromStdString(l.metric)));
   }
   const judge::MetTogether met = judge::meet_together(limits, values);
-  QString words = CourseWords::tr("%1 of %2 expert attempts meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
+  QString words = CourseWords::tr("%1 of %2 expert attempts pass and meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
   if (met.all < met.attempts && limits.size() > 1) {
     const auto worst = static_cast<size_t>(std::min_element(met.each.begin(), met.each.end()) - met.each.begin());
     words += QLatin1Char(' ') + CourseWords::tr("The hardest alone is %1: %2.").arg(metric_title(QString::fromStdString(limits[worst].metric))).arg(met.each[worst]);
@@ -76,6 +77,7 @@ bool suggest_limit(judge::Limit& limit, const std::vector<const record::AttemptR
   std::vector<std::vector<double>> values;
   std::vector<std::string> who;
   for (const record::AttemptRow* a : experts) {
+    if (!has_score(*a)) continue;  // not passed: no measure for those who are to pass
     const double v = metric_value(*a, QString::fromStdString(limit.metric));
     if (!std::isfinite(v)) continue;
     const auto at = static_cast<size_t>(std::find(who.begin(), who.end(), a->person_id) - who.begin());

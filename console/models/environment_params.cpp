@@ -15,11 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kEnvironment = "environment";  // as settings name it
+constexpr const char* kEnvironment = "environment";  // instance name in settings
 constexpr const char* kMedium = "medium";
 constexpr const char* kPlane = "earthed_plane";
 
-// What a lesson of this size may ask for; a file may say more. SI units of the key.
+// Upper limits of the form for a lesson of this size; a file may exceed them. SI units of the key.
 double most_offered(const host::EnvironmentKey& k) {
   const std::string key = k.key;
   if (key == kPlane) return 0.1;
@@ -35,18 +35,18 @@ LiveParam medium_row(const std::string& word) {
   out.param.label = host::kMediumLabel;
   out.param.doc = host::kMediumDoc;
   const auto found = std::find(std::begin(host::kMedia), std::end(host::kMedia), word);
-  // what a lesson says once it cannot take back
+  // a set medium cannot be unset in a derived lesson
   if (found == std::end(host::kMedia)) out.param.choices.push_back("not set");
   out.param.choices.insert(out.param.choices.end(), std::begin(host::kMedia), std::end(host::kMedia));
   out.start[0] = found == std::end(host::kMedia) ? 0 : static_cast<double>(found - std::begin(host::kMedia));
   return out;
 }
 
-// SI, NaN where the section does not say it
+// SI; NaN where the section has no value
 double said_value(const Json& section, const host::EnvironmentKey& k) {
   const auto it = section.find(k.key);
   double value = std::nan("");
-  std::string ignored;  // told when the lesson is opened
+  std::string ignored;  // these problems are reported when the lesson is opened
   if (it == section.end()) return value;
   if (it->is_number()) return it->get<double>();
   if (it->is_string()) host::parse_quantity(it->get<std::string>(), k.unit, k.key, value, ignored);
@@ -78,7 +78,7 @@ LiveParam quantity_row(const host::EnvironmentKey& k, const Json& section, std::
     out.start_of.push_back(!means ? std::nan("") : plane ? p.min : own);
   }
   const auto first = std::find_if(out.start_of.begin(), out.start_of.end(), [](double v) { return std::isfinite(v); });
-  out.start[0] = *first;  // every key means something in one medium
+  out.start[0] = *first;  // every key has a value in at least one medium
   return out;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What surrounds a lesson's scene, as rows of the instructor's form: the medium, and the numbers that follow it.
+// The environment of a lesson's scene as rows of the instructor's form: the medium, and the numbers that depend on it.
 #pragma once
 
 #include <QVector>
@@ -10,7 +10,7 @@
 
 namespace swage::console {
 
-/// `section`: the JSON text of "environment" of the lesson, "" where it has none.
+/// `section`: JSON text of the lesson's "environment", "" where it has none.
 QVector<LiveParam> environment_params(const std::string& section);
 
 }  // namespace swage::console

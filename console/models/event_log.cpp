@@ -9,14 +9,14 @@
 namespace swage::console {
 namespace {
 
-// docs end with what the value of the event stands for, which is not shown here
+// the end of an event's doc explains its value, which is not shown here
 QString meaning(const std::string& doc) {
   const QString text = said_event(doc);
   const bool whole = host::without_value(doc).size() == doc.size() || text.endsWith(QLatin1Char('.'));
   return whole ? text : text + QLatin1Char('.');
 }
 
-// how the machine did, not how the trainee did
+// true for events about the machine, not the trainee
 bool is_technical(const judge::Name& event) {
   return event.owner == judge::kHostOwner && event.id != "host.reset" && event.id != "host.quarantined";
 }

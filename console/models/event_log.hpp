@@ -9,7 +9,7 @@
 
 namespace swage::console {
 
-/// What happened in the running attempt, newest last.
+/// The events of the running attempt, newest last.
 class EventLog : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -17,8 +17,8 @@ class EventLog : public QAbstractTableModel {
   struct Row {
     double time_s = 0;
     QString what, means;
-    bool by_person = false;  // a mark, a pause: not from the scene
-    bool technical = false;  // about the machine: for the instructor's detail only
+    bool by_person = false;  // a note, a pause: not from the scene
+    bool technical = false;  // about the machine: shown with the instructor's details only
   };
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -37,13 +37,13 @@ class EventLog : public QAbstractTableModel {
   QVector<Row> rows_;
 };
 
-/// What the trainee reads of it: without lost deadlines and other matters of the machine, unless they are asked for.
+/// The events for the trainee: without missed deadlines and other technical events, unless these are asked for.
 class EventFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   explicit EventFilter(EventLog* log, QObject* parent = nullptr);
   void show_technical(bool on);
-  int hidden() const;  // rows
+  int hidden() const;  // number of hidden rows
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;

@@ -9,8 +9,8 @@
 namespace swage::console {
 namespace {
 
-// m of distance that a metre of way is worth. A way that leads down and up again passes each place twice: the trainee is at the nearer
-// of them along the way, and rather ahead than behind.
+// Weights, m of pose distance per m of path. A path that leads down and up again passes each place twice: of the two frames the one
+// nearer along the path is chosen, and one ahead rather than one behind.
 constexpr double kAhead = 0.25, kBehind = 0.5;
 
 Vec between_places(const Vec& a, const Vec& b, double u) { return a + (b - a) * u; }
@@ -52,7 +52,7 @@ void GhostPath::add(double time_s, uint32_t phase, std::span<const swage_pose> X
 
 double GhostPath::distance(size_t i, std::span<const swage_vec3> p_W) const { return mean_distance(frames_[i].p_W, p_W); }
 
-// In a new phase all its frames are searched; in the same phase only those around the present one, until another phase begins.
+// In a new phase all frames of the phase are searched; in the same phase only the contiguous ones around the present frame.
 void GhostPace::look_for_progress(std::span<const swage_vec3> p_W, uint32_t phase) {
   const bool anywhere = !begun_ || !found_ || phase != phase_;
   phase_ = phase;
@@ -81,7 +81,7 @@ void GhostPace::follow(std::span<const swage_pose> X_WB, uint32_t phase, double 
   if (path_.empty() || p_W.empty()) return;
   look_for_progress(p_W, phase);
   begun_ = true;
-  if (!found_) return;  // the expert never comes here, or is not there yet: the ghost waits
+  if (!found_) return;  // the expert has no frame near this state yet, or never: the ghost waits
   size_t last = progress_;
   const double most = path_[progress_].way_m + kLead_m;
   while (last + 1 < path_.size() && path_[last + 1].phase == phase_ && path_[last + 1].way_m <= most) ++last;

@@ -20,7 +20,7 @@ QString unit_of(const record::AttemptRow& a, const QString& metric) {
   return QStringLiteral("1");
 }
 
-// title or name of each id, in the order of the words
+// title or name of each id, in order of these texts
 struct Names {
   std::map<std::string, QString> by_id;
   QStringList words;
@@ -43,7 +43,6 @@ GroupFigure group_figure(const std::vector<record::AttemptRow>& attempts, const 
   std::vector<const record::AttemptRow*> used;
   for (const record::AttemptRow& a : attempts) {
     if (!counts(a) || !std::isfinite(metric_value(a, metric))) continue;
-    if (metric == QLatin1String("score") && !has_score(a)) continue;
     used.push_back(&a);
     lessons.add(a.lesson_id, said(a.lesson_title));
     people.add(a.person_id, person_text(QString::fromStdString(a.person_name)));

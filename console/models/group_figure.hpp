@@ -14,22 +14,22 @@
 namespace swage::console {
 
 struct GroupDot {
-  double value = 0;  // as shown
+  double value = 0;  // in the display unit
   bool passed = false;
 };
 struct GroupCell {
   QVector<GroupDot> dots;  // oldest first
-  double mean = 0;         // of all of them
+  double mean = 0;         // of all dots
 };
 struct GroupFigure {
-  QString metric, unit;         // as shown
+  QString metric, unit;         // display unit
   QStringList lessons, people;  // by title and by name
   QVector<QVector<GroupCell>> cell;  // [lesson][person]
-  double low = 0, high = 1;          // of all dots and zero, as shown
+  double low = 0, high = 1;          // range of all dots and zero, in the display unit
   int attempts = 0;
 };
 
-/// `attempts`: newest first. Those that were neither passed nor failed, are void, or lack the metric are left out.
+/// `attempts`: newest first. Attempts neither passed nor failed, void ones and those without the metric are left out.
 GroupFigure group_figure(const std::vector<record::AttemptRow>& attempts, const QString& metric);
 
 }  // namespace swage::console

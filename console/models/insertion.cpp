@@ -9,8 +9,8 @@ namespace swage::console {
 namespace {
 
 constexpr double kMm = 1000;        // per m
-constexpr double kLeast_mm = 1e-4;  // a point nearer to the last one tells nothing: a tenth of a micrometre
-constexpr double kPierced = 1.5;    // pierce.state: 2 in the tissue, 3 with the point out again
+constexpr double kLeast_mm = 1e-4;  // a point nearer to the last one is skipped: a tenth of a micrometre
+constexpr double kPierced = 1.5;    // threshold for pierce.state: 2 in the tissue, 3 with the point out again
 
 class Columns {
  public:
@@ -30,7 +30,7 @@ class Columns {
   const record::Recording& r_;
 };
 
-// over time while the needle is in the tissue; a line for each stay
+// cosine over time while the needle is in the tissue; one line for each stay
 void add_cosine(const record::Recording& r, const Columns& c, int state, EntryTrack& out) {
   const int cosine = c.find("pierce.cosine");
   bool inside = false;
@@ -47,10 +47,10 @@ void add_cosine(const record::Recording& r, const Columns& c, int state, EntryTr
 
 struct Place {
   double x, y, z, time_s;
-  bool first;  // of a pass
+  bool first;  // first of a pass
 };
 
-// slopes of the plane z = a x + b y through the first puncture that fits the places best
+// least-squares slopes of the plane z = a x + b y through the first puncture
 void fit_plane(const std::vector<Place>& places, double& a, double& b) {
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
   for (const Place& p : places)
@@ -61,7 +61,7 @@ void fit_plane(const std::vector<Place>& places, double& a, double& b) {
   if (det > 1e-6 * size * size) {
     a = (xz * yy - yz * xy) / det;
     b = (yz * xx - xz * xy) / det;
-  } else {  // a straight track: the slope along it is all that shows
+  } else {  // a straight track determines only the slope along it
     a = xz / size;
     b = yz / size;
   }
@@ -98,7 +98,7 @@ std::optional<EntryTrack> entry_track(const record::Recording& r) {
   EntryTrack out;
   for (const Place& p : places) {
     if (p.first) out.passes.append(QPolygonF()), out.time_s.append(QVector<double>());
-    // x along the surface, and what is left of y square to it
+    // x along the surface, and the part of y perpendicular to it
     const double ex = std::sqrt(1 + a * a), u = (p.x + a * p.z) / ex;
     const double v2 = p.x * p.x + p.y * p.y + p.z * p.z - u * u;
     out.passes.last() << QPointF(u, std::copysign(std::sqrt(std::max(0.0, v2)), p.y + b * p.z));
@@ -108,7 +108,7 @@ std::optional<EntryTrack> entry_track(const record::Recording& r) {
   const int area = c.find("pierce.area"), ratio = c.find("pierce.area_ratio"), wound = c.find("pierce.wound");
   for (size_t i = 0; i < r.step.size(); ++i) {
     if (wound >= 0) out.wound = std::max(out.wound, c.at(i, wound));
-    // the ratio is that of the torn area to the wire's section
+    // the ratio is torn area over the cross-section of the wire
     if (area >= 0 && ratio >= 0 && c.at(i, ratio) > 0)
       out.radius_mm = kMm * std::sqrt(c.at(i, area) / c.at(i, ratio) / std::numbers::pi);
   }

@@ -18,7 +18,7 @@ const Json* member(const Json& object, const char* key) {
   return at != object.end() ? &*at : nullptr;
 }
 
-// SI numbers of a lesson's three values, each a number or a text with a unit
+// three values of a lesson in SI, each a number or a text with a unit
 std::optional<Vec> triple(const Json* list, const char* unit) {
   if (list == nullptr || !list->is_array() || list->size() != 3) return {};
   double v[3] = {};
@@ -40,7 +40,7 @@ bool has_param(const host::PluginInfo* plugin, const char* id) {
   return plugin != nullptr && std::any_of(plugin->params.begin(), plugin->params.end(), [&](const host::Param& p) { return p.id == id; });
 }
 
-// Where the lesson's own hand has its tips at the start, from the first of its devices that says so.
+// The start position of the tips in the lesson, from the first of its devices that has one.
 Json start_of(const assembly::LessonDevice& device) {
   for (const assembly::DeviceChoice& choice : device.choices) {
     const Json params = Json::parse(choice.params, nullptr, false);
@@ -60,7 +60,7 @@ void require(Json& requires_, const std::string& id, const host::Catalogue& cata
   if (plugin != nullptr) requires_[id] = "^" + plugin->version.substr(0, plugin->version.find('.'));
 }
 
-// The bound device in the place of the lesson's own.
+// Replaces the lesson's device by the bound one.
 void bind_device(Json& devices, Json& objects, const assembly::LessonDevice& device, const Binding& binding, const host::Catalogue& catalogue) {
   const Json own = devices[0];
   const std::string& name = device.name;
@@ -94,7 +94,7 @@ Binding read_binding(const Settings& settings, const QString& person) {
     const auto& one = all.at(who);
     out = {one.at("pose"), one.at("jaws"), one.at("clutch"), one.value("pedal", std::string())};
   } catch (const nlohmann::json::exception&) {
-    // as if nobody had chosen
+    // treated as no choice
   }
   return out;
 }

@@ -14,12 +14,12 @@
 
 namespace swage::console {
 
-/// From one state of a draft to another.
+/// A change from one state of a draft to another.
 class DraftEdit : public QUndoCommand {
  public:
   DraftEdit(LessonDraft& draft, Variant before, Variant after, const QString& words, const QString& field)
       : QUndoCommand(words), draft_(draft), before_(std::move(before)), after_(std::move(after)), field_(field) {}
-  // edits of one field can be one
+  // successive edits of one field are merged
   int id() const override { return field_.isEmpty() ? -1 : 1; }
   bool mergeWith(const QUndoCommand* next) override {
     const auto* edit = static_cast<const DraftEdit*>(next);
@@ -54,7 +54,7 @@ QString text_of(const Json& use, const char* key) {
   return found != use.end() && found->is_string() ? QString::fromStdString(found->get<std::string>()) : QString();
 }
 
-// in the order in which they are shown
+// in display order
 QVector<LessonPart> parts_of(const assembly::LessonFile& lesson) {
   using Kind = LessonPart::Kind;
   QVector<LessonPart> out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A lesson while it is edited: what is changed in the one that it began with, with undo and redo. It stands in a file of its own, a
-// lesson like any other, which is there until the edit is over: so it can be built, and nothing is lost where the program ends.
+// A lesson during an edit: the changes to the lesson that the edit began with, with undo and redo. The draft is a lesson file of its
+// own until the edit ends, so that it can be built, and nothing is lost when the program ends.
 // GUI thread.
 #pragma once
 
@@ -24,13 +24,13 @@ struct LessonPart {
 class LessonDraft : public QObject {
   Q_OBJECT
  public:
-  /// `begin`: where the edit begins; its base is the path of the lesson. `file`: that of the draft; one that is there already is of an
-  /// edit that was not ended, and is taken up if it began with the same lesson.
+  /// `begin`: state at the start; its base is the path of the lesson. `file`: path of the draft; an existing file belongs to an
+  /// interrupted edit, which is resumed if it began with the same lesson.
   LessonDraft(const Variant& begin, const QString& file, QObject* parent = nullptr);
 
   const Variant& now() const { return now_; }
   const QString& file() const { return file_; }
-  /// What was changed before the program ended is there again; one undo takes it back.
+  /// True when an interrupted edit was resumed; one undo reverts its changes.
   bool taken_up() const { return taken_up_; }
   bool changed() const { return !(now_ == begin_); }
   bool words_changed() const;
@@ -40,26 +40,26 @@ class LessonDraft : public QObject {
   void set_title(const QString& title);
   void set_summary(const QString& summary);
   void set_goal(const QString& goal);
-  /// All values that differ from the lesson's; `field` names the one that was edited: edits of it that follow each other are one undo.
+  /// Sets all values that differ from the lesson's; `field`: the edited one, whose successive edits are undone together.
   void set_values(const QVector<std::pair<std::string, std::string>>& set, const QString& field);
-  /// `part` as in a lesson file; it has a name.
+  /// `part`: as in a lesson file, with a name.
   void add_part(LessonPart::Kind kind, const nlohmann::ordered_json& part);
-  /// And the couplings that bind it. Returns the names of these.
+  /// Removes a part and the couplings that refer to it. Returns the names of these couplings.
   QStringList remove_part(const QString& name);
 
-  /// Of the lesson as it is now, in the order of the lesson.
+  /// Parts of the lesson with the present changes, in the lesson's order.
   QVector<LessonPart> parts() const;
-  /// "tray", or "tray_2" where that is taken: a name for a part of this plugin.
+  /// A free name for a part of this plugin: "tray", or "tray_2" where that is taken.
   QString free_name(const QString& plugin) const;
 
-  /// Writes the draft; the same without its values to `parts_file`, from which a form has their starts. Returns why not, or "".
+  /// Writes the draft; and, without its values, to `parts_file`, from which a form reads default values. Returns "" or the error.
   QString write() const;
   QString write_parts(const QString& parts_file) const;
-  /// The edit is over: the file goes.
+  /// Ends the edit and deletes the file.
   void end() const;
 
  Q_SIGNALS:
-  /// `structure`: other parts than before. `by_undo`: fields do not show it yet.
+  /// `structure`: the parts changed. `by_undo`: the change came from undo or redo, and fields must be refreshed.
   void edited(bool structure, bool by_undo);
 
  private:

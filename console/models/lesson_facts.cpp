@@ -35,14 +35,14 @@ struct Judged {
     return nullptr;
   }
 
-  /// Of a value that find() gave: the text of a parameter that has one.
+  /// The text of a value that find() returned, for parameters with text.
   const std::string& text_of(const swage_value* value) const { return values.text[static_cast<size_t>(value - values.value.data())]; }
 };
 
 Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalogue) {
   assembly::LessonFile lesson;
   base::Problems problems;
-  assembly::read_lesson_file(lesson_path, lesson, problems);  // of a faulty one as much as could be read
+  assembly::read_lesson_file(lesson_path, lesson, problems);  // a faulty file is read as far as possible
   const host::PluginInfo* plugin = catalogue.find(lesson.lesson.plugin);
   if (!plugin) return {};
 
@@ -57,7 +57,7 @@ Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalo
   return out;
 }
 
-/// The number of a parameter that says a limit: of an interval its `end`, 0 or 1.
+/// The value of a parameter used as a limit: of an interval its `end`, 0 or 1.
 std::optional<double> limit(const Judged& lesson, const std::string& id, size_t end) {
   const swage_value* value = nullptr;
   const host::Param* p = id.empty() ? nullptr : lesson.find(id, &value);
@@ -65,14 +65,14 @@ std::optional<double> limit(const Judged& lesson, const std::string& id, size_t 
   return value->number[p->dimension == 2 ? end : 0];
 }
 
-// A value as somebody would write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
+// A value with its unit as people write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
 QString number_words(const host::Param& p, double value) {
   const std::string& unit = p.display_unit == "%" ? p.display_unit : p.unit;
   const base::Shown as = base::shown_unit(value, unit);
   return with_unit(QLocale().toString(value * as.factor, 'g', 4), as.unit);
 }
 
-// A text, or names of objects: each is said as the lesson calls it in this language.
+// A text, or names of objects: each is translated by the lesson's own words.
 QString text_words(const std::string& text) {
   const QString plain = QString::fromStdString(text);
   if (const QString whole = said(text); whole != plain) return whole;
@@ -116,7 +116,7 @@ bool holds(const Judged& lesson, const std::string& when) {
   return (p->type == SWAGE_PARAM_CHOICE && p->choices[static_cast<size_t>(value->number[0])] == when.substr(equals + 1)) != not_so;
 }
 
-/// The sentence with the values of its parameters.
+/// The sentence with its parameters' values filled in.
 QString sentence(const Judged& lesson, const std::string& text) {
   const QString form = said(text, lesson.plugin->bundle_dir);
   QString out;

@@ -10,30 +10,30 @@
 
 namespace swage::console {
 
-/// The grip force that a lesson asks for, N.
+/// The grip force required by a lesson, N.
 struct ForceBand {
   double low = 0, high = 0;
 };
 
-/// What a lesson asks, in sentences with its own values.
+/// The criteria of a lesson, in sentences with its own values.
 struct Criteria {
   QStringList pass, limits, points;
-  bool show = false;      // a demonstration: nothing is judged or kept
-  double max_time_s = 0;     // its time limit; 0: none
-  double max_tension_N = 0;  // how hard a thread may be drawn; 0: nothing is said
+  bool show = false;      // a demonstration, which is neither judged nor stored
+  double max_time_s = 0;     // time limit; 0: none
+  double max_tension_N = 0;  // limit of the thread tension; 0: none
 };
 
-/// As the card of the lesson's plugin says; empty where it says nothing.
+/// The criteria from the card of the lesson's plugin; empty where it has none.
 Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& catalogue);
 
-/// Reads the lesson's interval "force", or its limit "max_force" without a least force, checked against its plugin's table,
-/// defaults included. Nothing when the file, the plugin or the parameter is not there.
+/// Reads the lesson's interval "force", or its limit "max_force" with no minimum, checked against its plugin's table,
+/// defaults included. No value when the file, the plugin or the parameter is missing.
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue);
 
-/// The metrics of a lesson as its plugin's card says; none where it cannot be read.
+/// The metrics of a lesson from its plugin's card; empty where it cannot be read.
 std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, const host::Catalogue& catalogue);
 
-/// What the lesson asks of a metric, SI: at most so much peak force, time, drops; a mean force inside its interval.
+/// The lesson's target for a metric, SI: an upper limit for peak force, time, drops; an interval for the mean force.
 MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
                            const host::Catalogue& catalogue);
 

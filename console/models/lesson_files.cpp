@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Every file that a plugin of the lesson is given by a parameter of type FILE.
+// All files that the lesson gives to its plugins by parameters of type FILE.
 std::set<std::string> files_of(const assembly::LessonFile& lesson, const host::Catalogue& catalogue) {
   std::set<std::string> out;
   const auto take = [&](const assembly::PluginUse& use) {
@@ -37,7 +37,7 @@ std::set<std::string> files_of(const assembly::LessonFile& lesson, const host::C
   return out;
 }
 
-// Beside the lesson, else beside those that are here, else in the folder of that name next to them.
+// Searches beside the lesson, then in the local series, then in the folder of that name next to them.
 QString find_file(const QString& name, const QString& beside, const QStringList& series) {
   const QString in_folder = QStringLiteral("../") + name.section(QLatin1Char('/'), -2);
   QStringList candidates{QDir(beside).absoluteFilePath(name)};
@@ -49,7 +49,7 @@ QString find_file(const QString& name, const QString& beside, const QStringList&
 
 std::string as_json(const QString& text) { return Json(text.toStdString()).dump(); }
 
-// The text keeps its lines, so that a fault is told where the file has it.
+// The text keeps its lines, so that the line of an error is right.
 std::string with_files_in_full(const assembly::LessonFile& lesson, const QStringList& series, const host::Catalogue& catalogue) {
   const QString beside = QString::fromStdString(lesson.folder());
   QString text = QString::fromStdString(lesson.text);
@@ -60,8 +60,8 @@ std::string with_files_in_full(const assembly::LessonFile& lesson, const QString
   return text.toStdString();
 }
 
-// A lesson that is based on another one is built from a text of both, whose lines are not the file's. The file itself, read where it
-// lies, fails the same way at its own lines; where it does not, no line is told.
+// A derived lesson is built from a text merged with its base, whose lines are not the file's. The file itself, read in its
+// place, gives the same errors with its own lines; where it does not, no line is given.
 base::Problems where_the_file_has_it(const base::Problems& problems, const QString& file, const assembly::LessonFile& lesson,
                                      const LessonBuilder& build) {
   QFile own(file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Lessons that go to another station, and come from one: each is one file, whole.
+// Export of lessons to another station, and import from one: each lesson is one self-contained file.
 #pragma once
 
 #include <QString>
@@ -14,27 +14,27 @@
 
 namespace swage::console {
 
-/// Writes a lesson with all that it has of those that it is based on. Files that its plugins name, as an expert's hand, are looked
-/// for where it is imported. Returns why not, or "".
+/// Writes a lesson merged with all its bases. Files named by its plugins, such as an expert's hand, are searched
+/// where it is imported. Returns "" or the error.
 QString export_lesson(const QString& lesson_path, const QString& file);
 
 struct ImportPlaces {
-  QString own;          // where lessons of one's own are
-  QString draft;        // a file to build the lesson from before it is taken in
-  QStringList series;   // folders of lessons that are here: files named by the lesson are looked for from there, too
+  QString own;          // folder of the user's own lessons
+  QString draft;        // temporary file from which the lesson is built before the import
+  QStringList series;   // local lesson folders: files named by the lesson are searched there, too
 };
-/// Builds the lesson of a file; nullptr and why not.
+/// Builds the lesson of a file; nullptr and the problems on failure.
 using LessonBuilder = std::function<std::unique_ptr<snapshot::SceneCard>(const QString& path, base::Problems& problems)>;
 
 struct Imported {
-  QString path, problem;  // the lesson's own file, or "file, line 7: what is wrong"
+  QString path, problem;  // the imported file, or "file, line 7: error"
 };
-/// Takes a lesson file in among one's own, once it could be built.
+/// Adds a lesson file to the user's own lessons, if it can be built.
 Imported import_lesson(const QString& file, const ImportPlaces& places, const host::Catalogue& catalogue, const LessonBuilder& build);
 
-/// The first error of these; nullptr where there are but warnings and notes.
+/// The first error; nullptr where there are only warnings and notes.
 const base::Problem* first_error(const base::Problems& problems);
-/// "lesson.json, line 7: The lesson has no object "tray"." Of several the first, and how many more.
+/// "lesson.json, line 7: The lesson has no object "tray"." Of several errors the first, and the number of further ones.
 QString problem_words(const base::Problems& problems, const QString& file);
 
 }  // namespace swage::console

@@ -29,15 +29,17 @@ LessonEntry read_lesson(const QString& path) {
     const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text));
     entry.other = !json.isNull() && !json[QStringLiteral("format")].toString().startsWith(QLatin1String("swage-lesson"));
   }
-  // its own translations, and those of the lesson that it is based on
+  // the lesson's own translations, and those of its base
   for (const QString& file : {entry.path, qt(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
   entry.id = qt(lesson.id);
   if (!lesson.title.empty()) entry.title = qt(lesson.title);
   entry.summary = qt(lesson.summary);
   entry.mirror = lesson.mirror;
   entry.goal = qt(lesson.goal);
+  entry.reset_label = qt(lesson.reset_label);
+  entry.reset_tip = qt(lesson.reset_tip);
   for (const assembly::LessonDevice& device : lesson.devices) {
-    // an instrument without a name goes by the last word of its plugin's
+    // an instrument without a name is named by the last word of its plugin's id
     const assembly::DeviceChoice& first = device.choices.front();
     if (entry.hands.isEmpty() && first.as.empty() && !first.plugin.empty()) entry.hands += qt(first.plugin).section(QLatin1Char('.'), -1);
     for (const assembly::DeviceChoice& choice : device.choices)
@@ -53,7 +55,7 @@ QStringList lesson_folders() {
   folders += own_lessons_folder();
   QDir dir(QCoreApplication::applicationDirPath());
   folders += dir.absoluteFilePath(QStringLiteral("../share/swage/lessons"));
-  // run from a build folder: the sources are a few levels up
+  // started from a build folder, the sources are a few levels up
   for (int i = 0; i < 4 && dir.cdUp(); ++i) {
     if (dir.exists(QStringLiteral("lessons/series")))
       folders += dir.absoluteFilePath(QStringLiteral("lessons/series"));
@@ -72,7 +74,7 @@ void LessonsModel::set_folders(const QStringList& folders) {
     files.sort();
     for (const QString& file : files) {
       const LessonEntry entry = read_lesson(file);
-      // other JSON lies beside lessons; the first of an id wins
+      // other JSON files may lie beside lessons; the first lesson of an id is used
       if (!entry.other && row_of(entry.id.isEmpty() ? entry.path : entry.id) < 0) entries_.append(entry);
     }
   }
@@ -137,6 +139,10 @@ QVariant LessonsModel::data(const QModelIndex& index, int role) const {
       return said(e.summary);
     case kGoal:
       return said(e.goal);
+    case kResetLabel:
+      return said(e.reset_label);
+    case kResetTip:
+      return said(e.reset_tip);
     case kMirror:
       return e.mirror;
     case kHands:

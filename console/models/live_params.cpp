@@ -21,7 +21,7 @@ struct Use {
 
 assembly::LessonFile read(const std::string& path) {
   assembly::LessonFile lesson;
-  base::Problems ignored;  // told when the lesson is opened; what could be read of a faulty one is in `lesson`
+  base::Problems ignored;  // these problems are reported when the lesson is opened; `lesson` has what could be read of a faulty one
   assembly::read_lesson_file(path, lesson, ignored);
   return lesson;
 }
@@ -32,7 +32,7 @@ std::vector<Use> objects_of(const assembly::LessonFile& lesson) {
   return out;
 }
 
-// The lesson comes first: what it asks for is changed more often than the shape of a jaw.
+// The lesson comes first: its criteria are changed more often than the shape of a jaw.
 std::vector<Use> uses(const assembly::LessonFile& lesson, const std::vector<Use>& objects) {
   std::vector<Use> out;
   out.push_back({"lesson", lesson.lesson.plugin, lesson.lesson.params});
@@ -50,7 +50,7 @@ double nice(double value) {
 
 }  // namespace
 
-// the table's own way of writing a value knows the unit that people read
+// the table's own formatting of a value knows the display unit
 double LiveParam::factor() const {
   if (param.type == SWAGE_PARAM_BOOL || param.type == SWAGE_PARAM_CHOICE) return 1;
   host::Param one = param;
@@ -90,7 +90,7 @@ std::string LiveParam::json(const std::array<double, 4>& v) const {
 
 namespace {
 
-// the parameters that the lesson gives to an object or device of the session; a hand that was chosen otherwise has none of another's
+// the parameters that the lesson gives to an object or device of the session; a device chosen otherwise gets none of another's
 std::string params_of(const assembly::LessonFile& lesson, const std::string& name, const std::string& plugin) {
   for (const assembly::LessonObject& o : lesson.objects)
     if (o.name == name && o.plugin == plugin) return o.params;
@@ -146,7 +146,7 @@ QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::S
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue) {
   const assembly::LessonFile lesson = read(lesson_path);
   const QVector<LiveParam> out = collect(lesson, uses(lesson, objects_of(lesson)), catalogue, [](const host::Param&) { return true; });
-  // behind what the lesson asks for: it is the lesson's, too
+  // after the lesson's criteria, as the environment is a property of the lesson
   const auto objects = std::find_if(out.begin(), out.end(), [](const LiveParam& p) { return p.instance != "lesson"; });
   const auto lessons = objects - out.begin();
   return out.first(lessons) + environment_params(lesson.environment_text) + out.sliced(lessons);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What of a lesson may change while it runs: the LIVE rows of its plugins' parameter tables, with the values that the lesson
-// file gives. The form, the limits and the units follow from the table alone.
+// The parameters of a lesson that may change while it runs: the LIVE rows of its plugins' tables, with the values of the lesson
+// file. The form with its limits and units is made from the table alone.
 #pragma once
 
 #include <QString>
@@ -16,29 +16,29 @@
 namespace swage::console {
 
 struct LiveParam {
-  std::string instance;  // as the scene names it
+  std::string instance;  // name in the scene
   host::Param param;
-  std::array<double, 4> start{};  // SI, as the lesson begins
-  std::string folder = {};        // of the plugin's bundle, whose words these are
-  std::string follows = {};       // the choice of this instance that gives the start; "" for none
-  std::vector<double> start_of = {};  // by that choice, SI; NaN where the value means nothing
-  std::string least_words = {};   // said in the place of the least value; "" for none
+  std::array<double, 4> start{};  // SI, value at the start of the lesson
+  std::string folder = {};        // of the plugin's bundle, for its translations
+  std::string follows = {};       // a choice of this instance on which the start value depends; "" for none
+  std::vector<double> start_of = {};  // start values by that choice, SI; NaN where the parameter has no meaning
+  std::string least_words = {};   // text shown instead of the least value; "" for none
 
-  /// From SI to what is shown: 1000 for a length in mm.
+  /// From SI to the display unit: 1000 for a length in mm.
   double factor() const;
-  QString unit() const;  // as shown, "" for a pure number
-  /// A sensible step of a spin box, as shown: about a hundredth of the range or a twentieth of the value, rounded to 1, 2 or 5.
+  QString unit() const;  // display unit, "" for a pure number
+  /// Step of a spin box in the display unit: about a hundredth of the range or a twentieth of the value, rounded to 1, 2 or 5.
   double step() const;
   int decimals() const;
   /// The JSON object for session::Session::change; `value` SI.
   std::string json(const std::array<double, 4>& value) const;
 };
 
-/// In the order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's.
+/// Order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's defaults.
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue);
-/// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson that is based on this one. Whether
-/// the lesson can be assembled does not matter.
+/// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson derived from this one. The lesson
+/// need not be valid as an assembly.
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue);
 
 }  // namespace swage::console

@@ -8,17 +8,18 @@
 
 #include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
+#include "record/progress.hpp"
 
 namespace swage::console {
 namespace {
 
-constexpr double kMargin = 0.15;  // of the bar on each side of what is drawn
+constexpr double kMargin = 0.15;  // margin on each side of the drawn range, as a share of the bar
 
 class BarWords {
   Q_DECLARE_TR_FUNCTIONS(metric_bars)
 };
 
-bool judged(const record::AttemptRow& a) { return !a.is_void && (a.outcome == "passed" || a.outcome == "failed"); }
+bool judged(const record::AttemptRow& a) { return record::is_sound(a) && (a.outcome == "passed" || a.outcome == "failed"); }
 
 MetricBar make_bar(const QString& id, const QString& unit, double value, const judge::Band& band, bool higher_is_better) {
   MetricBar bar;
@@ -42,7 +43,7 @@ MetricBar make_bar(const QString& id, const QString& unit, double value, const j
 }  // namespace
 
 double metric_value(const record::AttemptRow& a, const QString& metric) {
-  if (metric == QLatin1String("score")) return a.score;
+  if (metric == QLatin1String("score")) return has_score(a) ? a.score : std::nan("");
   if (metric == QLatin1String("time")) return a.simulated_s;
   const std::string id = metric.toStdString();
   for (const record::MetricValue& m : a.metrics)
@@ -103,9 +104,8 @@ QVector<MetricBar> metric_bars(const QVector<record::AttemptRow>& attempts, cons
   for (const QString& id : metric_ids({*newest})) {
     const int32_t direction = better(id);
     const double value = metric_value(*newest, id);
-    if (metric_show(id) == SWAGE_SHOW_YES_NO) continue;  // yes or no lies in no band
+    if (metric_show(id) == SWAGE_SHOW_YES_NO) continue;  // yes-or-no metrics have no band
     if (!std::isfinite(value) || (direction != SWAGE_BETTER_LOWER && direction != SWAGE_BETTER_HIGHER)) continue;
-    if (id == QLatin1String("score") && newest->outcome != "passed") continue;  // none was given
     const Experts them = experts(newest->lesson_id, id);
     const judge::Band band = judge::expert_band(them.values);
     if (band.attempts == 0) continue;

@@ -14,7 +14,7 @@ MetricFacts metric_facts(const snapshot::SceneCard* card, const std::string& id)
     if (card->script.metrics[i].id == id && m.evidence != SWAGE_EVIDENCE_NONE)
       return {m.better, QString::fromStdString(m.formula)};
   }
-  // the host's own two
+  // score and time are the host's own
   if (id == "score") return {SWAGE_BETTER_HIGHER, {}};
   if (id == "time") return {SWAGE_BETTER_LOWER, {}};
   const QString said = QString::fromStdString(id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Which way a metric is better, and how it is computed: as the lesson's card says, else the first card that knows it; else nothing is claimed.
+// Direction and formula of a metric: from the lesson's card, else from the first card with that metric; else none.
 #pragma once
 
 #include <swage/abi/lesson_card.h>
@@ -15,10 +15,10 @@ namespace swage::console {
 
 struct MetricFacts {
   int32_t better = SWAGE_BETTER_NONE;
-  QString formula;  // "" where no card says it
+  QString formula;  // "" where no card has it
 };
 
-/// What a lesson asks of a metric: at most, at least, or between. Neither where it does not say.
+/// A lesson's target for a metric: an upper limit, a lower limit, or both. Neither where the lesson has none.
 struct MetricTarget {
   std::optional<double> low, high;
   bool operator==(const MetricTarget&) const = default;
@@ -29,10 +29,10 @@ struct MetricSaid {
   MetricTarget target;  // SI
 };
 
-/// `card`: of a scene of the metric's lesson; nullptr where there is none.
+/// `card`: scene card of the metric's lesson; nullptr without one.
 MetricFacts metric_facts(const snapshot::SceneCard* card, const std::string& id);
 
-/// "lower is better", "" for SWAGE_BETTER_NONE; with an arrow where there is no other sign for it.
+/// "lower is better", "" for SWAGE_BETTER_NONE; `arrow`: with an arrow in front.
 QString better_words(int32_t better, bool arrow = true);
 
 }  // namespace swage::console

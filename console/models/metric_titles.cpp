@@ -46,7 +46,7 @@ void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
 
 QString metric_title(const QString& id) {
   const auto label = labels().constFind(id);
-  // the host's own two are on no card
+  // score and time are the host's own, on no card
   if (id == QLatin1String("score")) return QCoreApplication::translate("metric_titles", "Score");
   if (id == QLatin1String("time")) return QCoreApplication::translate("metric_titles", "Time");
   return label == labels().constEnd() ? said_id(id.toStdString()) : said(label->title);

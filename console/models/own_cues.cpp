@@ -6,7 +6,7 @@
 namespace swage::console {
 namespace {
 
-// the words of the id's own plugin first: two plugins may use one id
+// the plugin's own words first: two plugins may use one id
 QString name_of(const host::CueInfo& cue, const host::PluginInfo& plugin) {
   const QString id = QString::fromStdString(cue.id), own = said(cue.id, plugin.bundle_dir);
   return own == id ? said_id(cue.id) : own;

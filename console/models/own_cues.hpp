@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The cues of all lesson plugins as a theme takes them: by their roles, called by the words of their plugins.
+// The cues of all lesson plugins for a theme: with their roles, and texts from their plugins.
 #pragma once
 
 #include <QVector>
@@ -11,7 +11,7 @@
 
 namespace swage::console {
 
-/// One for each cue of each card. A cue is called as the plugin's file words.<language>.json calls its id, else by the id made
+/// One for each cue of each card. Its text is that of its id in the plugin's file words.<language>.json, else the id made
 /// readable ("reach.there" -> "Reach there"). GUI thread.
 QVector<OwnCue> own_cues(const std::vector<host::PluginInfo>& plugins);
 

@@ -9,7 +9,7 @@
 namespace swage::console {
 namespace {
 
-// newest at the right, as in a curve
+// newest at the right, as in the chart
 QString signs(const QVector<bool>& last) {
   QStringList out;
   for (const bool passed : last) out += passed ? QStringLiteral("✓") : QStringLiteral("✗");

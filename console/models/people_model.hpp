@@ -10,7 +10,7 @@
 
 namespace swage::console {
 
-/// Everybody in the store with where they stand. Sort by kSortRole.
+/// All people in the store with their standing. Sort by kSortRole.
 class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class PeopleModel : public QAbstractTableModel {
   enum Role { kId = Qt::UserRole, kSortRole, kGroupRole };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// `attempts`: of all people, newest first. `groups`: name by id. `courses`: what is assigned, by person.
+  /// `attempts`: of all people, newest first. `groups`: name by id. `courses`: assigned courses, by person.
   void set_people(const std::vector<record::Person>& people, const std::vector<record::AttemptRow>& attempts,
                   const QHash<QString, QString>& groups = {}, const QHash<QString, QString>& courses = {},
                   const QDateTime& now = QDateTime::currentDateTimeUtc());

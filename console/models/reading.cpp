@@ -31,7 +31,7 @@ Reader::Reader(const snapshot::SceneCard& card) {
     if (ends_with(s.id, "pierce.state")) pierced_ = i;
   }
   find_tension(script);
-  // what is counted is live; metrics with a unit are told at the end
+  // counts are shown live; metrics with a unit are shown at the end
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
     const auto row = static_cast<size_t>(i);
@@ -45,7 +45,7 @@ Reader::Reader(const snapshot::SceneCard& card) {
     cues_.append(QString::fromStdString(cue.id));
     grasp_ |= cues_.last() == QLatin1String("grasp.point_only");
   }
-  // an assistant's jaws hold, too: a lesson that neither measures nor signals a grip has no force to show
+  // an assistant's jaws grip, too: a lesson that neither measures nor signals a grip shows no force
   const bool grips = std::any_of(script.metrics.begin(), script.metrics.end(), [](const judge::Name& m) { return m.unit == "N"; }) ||
                      std::any_of(cues_.begin(), cues_.end(), [](const QString& c) {
                        return c.startsWith(QLatin1String("grip.")) || c.startsWith(QLatin1String("grasp.")) || c.endsWith(QLatin1String(".held"));
@@ -57,8 +57,8 @@ Reader::Reader(const snapshot::SceneCard& card) {
   }
 }
 
-// At the needle that draws the thread. Of a stitch without one, in which lessons limit it: before the first hole and beyond the last. Of a
-// thread that is only pulled, its own.
+// Signals of tension: at the needle that draws the thread; for a stitch without a needle, where lessons limit it, before the first hole
+// and beyond the last; for a thread that is only pulled, its own.
 void Reader::find_tension(const judge::Script& script) {
   const auto all = [&](const char* name) {
     QVector<int> out;
@@ -90,18 +90,18 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   const auto signal = [&](int i) {
     return i >= 0 && static_cast<uint32_t>(i) < s.n_signal ? s.signal[i] : std::nan("");
   };
-  // of several things that may be taken, the one that is
+  // of several objects the one that is grasped, which has a finite value
   for (const int i : force_) r.force = std::fmax(r.force.value_or(0), signal(i));
   for (const int i : tension_) r.tension = std::fmax(r.tension.value_or(0), signal(i));
   const bool any_held = std::any_of(held_.begin(), held_.end(), [&](int i) { return signal(i) > 0.5; });
   const bool held = held_.isEmpty() || any_held;
   if (!held_.isEmpty()) r.held = any_held;
-  // what only lies against the tissue has no angle yet
+  // a needle that only touches the tissue has no angle yet
   if (angle_ >= 0 && signal(pierced_) > (any_held ? 0.5 : 1.5)) r.tilt = signal(angle_);
   for (const int i : angle_ < 0 ? tilt_ : QVector<int>()) {
     if (held && r.force.value_or(1) > 0) r.tilt = std::max(r.tilt.value_or(0), std::abs(signal(i)));
   }
-  // the four grasp meanings are two yes/no facts
+  // the four grasp meanings combine two yes/no facts
   for (uint32_t o = 0; o < s.n_object; ++o) {
     const uint32_t cue = s.object_cue[o];
     if (cue >= static_cast<uint32_t>(cues_.size())) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Which of a scene's numbers the NOW panel shows, found by what they are called. A scene without them shows
+// Selects the numbers of a scene that the NOW panel shows, by their names. A scene without some of them shows
 // fewer.
 #pragma once
 
@@ -14,16 +14,16 @@
 
 namespace swage::console {
 
-/// What the panel shows of one snapshot; absent what the scene does not say.
+/// The panel's values for one snapshot; no value where the scene has none.
 struct Reading {
   std::optional<double> force;  // N
-  std::optional<bool> held;     // by both jaws
+  std::optional<bool> held;     // grasped by both jaws
   std::optional<double>
-      tilt;  // rad, the larger of the two; while inserting, between needle and tissue's normal
-  std::optional<double> tension;   // N, of the thread that is drawn
-  std::optional<double> hold;      // share of the hold that is done, 0..1
+      tilt;  // rad, the larger of the two; during insertion, between needle and tissue normal
+  std::optional<double> tension;   // N, of the thread being drawn
+  std::optional<double> hold;      // completed share of the hold, 0..1
   std::optional<bool> spot, tips;  // of the current grasp
-  QString phase;                   // in words
+  QString phase;                   // as text
   QStringList meanings;            // all cues now shown, of objects and of marks
   struct Count {
     QString name, value;
@@ -31,23 +31,23 @@ struct Reading {
   QVector<Count> counts;
 };
 
-/// Finds the places once per scene, reads them once per picture.
+/// Finds the signals once per scene, reads them once per picture.
 class Reader {
  public:
   Reader() = default;
   explicit Reader(const snapshot::SceneCard& card);
   Reading read(const snapshot::Snapshot& snapshot) const;
   bool has_force() const { return !force_.isEmpty(); }
-  /// What this scene's cues and marks can mean, each once, in the order in which the lesson declares them.
+  /// All meanings of this scene's cues and marks, each once, in the order of the lesson's declarations.
   static QStringList meanings(const snapshot::SceneCard& card);
-  /// A needle has an axis that may lean; a ball has none, and where no spot is judged no lean is.
+  /// A needle has an axis that may tilt, a ball has none; without a judged grasp position no tilt is shown.
   bool has_tilt() const { return (grasp_ && !tilt_.isEmpty()) || angle_ >= 0; }
-  /// The tilt is that of the needle against the tissue.
+  /// The tilt is the angle between needle and tissue normal.
   bool inserts() const { return angle_ >= 0; }
-  /// A thread is drawn by a needle or through tissue.
+  /// A needle or tissue draws a thread.
   bool has_tension() const { return !tension_.isEmpty(); }
   bool has_hold() const { return hold_ >= 0; }
-  /// The lesson judges spot and tips.
+  /// The lesson judges grasp position and use of the tips.
   bool has_grasp() const { return grasp_; }
 
  private:

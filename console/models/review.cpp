@@ -19,7 +19,7 @@
 namespace swage::console {
 namespace {
 
-// what an instructor looks at first, best first
+// rank of a signal in an instructor's view, best first
 int rank(const judge::Name& signal) {
   static const QStringList kWords = {"grasp.force", "grip.force", "pierce.force", "cosine", "stress",
                                      "spot",        "tilt_axis",  "tilt_plane",   "tilt",   "depth",
@@ -101,13 +101,13 @@ void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Re
 
 template <class Number>
 void put(std::string& out, Number value) {
-  if (!std::isfinite(value)) return;  // an empty field, as spreadsheets expect
+  if (!std::isfinite(value)) return;  // an empty field, as in spreadsheets
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   out.append(text, end);
 }
 
-// in no language of the window: files are read by programs, and by people elsewhere
+// not translated: files are read by programs, and in other languages
 std::string better_in_files(int32_t better) {
   if (better == SWAGE_BETTER_INSIDE) return "best inside its band";
   const std::string word = host::better_text(better);
@@ -122,14 +122,14 @@ std::string quoted(const std::string& text) {
 
 const QString kBetween = QStringLiteral("  ·  ");
 
-// when, how and with which seed
+// time, mode and seed of the attempt
 QString origin(const Review& r) {
   QStringList parts{when_text(qt(r.attempt.started_utc))};
   if (r.hand.isEmpty()) parts += mode_text(qt(r.attempt.mode));
   return (parts << QObject::tr("seed %1").arg(r.seed)).join(kBetween);
 }
 
-// who held the instruments where no person did
+// who held the instruments, if no person did
 QString hand_words(const record::AttemptRow& attempt, const record::Recording& recording) {
   if (!is_hand(attempt)) return {};
   QStringList hands;

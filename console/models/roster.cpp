@@ -8,13 +8,13 @@
 namespace swage::console {
 namespace {
 
-constexpr int kLongest = 80;  // a name of more characters is a paragraph that was pasted by mistake
+constexpr int kLongest = 80;  // a longer name, in characters, is a paragraph pasted by mistake
 
 class RosterWords {
   Q_DECLARE_TR_FUNCTIONS(roster)
 };
 
-/// The cells of one line; quotes keep a separator inside a cell, two of them are one.
+/// The cells of one line; a separator within quotes belongs to the cell, and two quotes are one.
 QStringList cells(const QString& line, QChar separator) {
   QStringList out = {QString()};
   bool quoted = false;

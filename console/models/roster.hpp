@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A list of people as somebody pastes it, a line each or a CSV, told as it would be added.
+// A pasted list of people, one per line or CSV, parsed for a preview.
 #pragma once
 
 #include <QString>
@@ -12,12 +12,12 @@ namespace swage::console {
 struct RosterLine {
   enum class Is { kNew, kKnown, kTwice, kFaulty };
   Is is = Is::kNew;
-  QString name, group, hand, code;  // hand: "left", "right" or ""; code: the pseudonymous id, "" to have one made
-  QString says;                     // why it is not added; "" for a new one
+  QString name, group, hand, code;  // hand: "left", "right" or ""; code: the pseudonymous id, "" for a generated one
+  QString says;                     // why the person is not added; "" for a new person
 };
 
-/// Columns part at tabs, semicolons or commas, whichever the first line has. A first line of the words name, group, hand, id
-/// says their order; without it that is the order. `known`: the names that are there already.
+/// Columns are separated by tabs, semicolons or commas, whichever the first line has. A first line with the words name, group, hand, id
+/// gives their order; without it that is the order. `known`: existing names.
 QVector<RosterLine> read_roster(const QString& text, const QStringList& known);
 
 }  // namespace swage::console

@@ -16,15 +16,15 @@ namespace {
 
 struct Known {
   QString language;
-  host::Words words;                 // of all, the first of each
-  host::Words english;               // names of events and signals in English, for what this language has no word of
+  host::Words words;                 // from all files; of two translations the first
+  host::Words english;               // English names of events and signals, used where this language has none
   QHash<QString, host::Words> by_folder;
   base::Problems problems;
 };
 
 constexpr char kEnglish[] = "en";
 
-// What the host itself says: its words are part of the program.
+// The host's own texts: their translations are part of the program.
 Known in_language(const QString& language) {
   Known out;
   out.language = language;
@@ -43,7 +43,7 @@ Known& known() {
   return one;
 }
 
-// nullptr where nobody has translated it
+// nullptr without a translation
 const std::string* find(std::string_view words) {
   const auto it = known().words.find(words);
   return it == known().words.end() ? nullptr : &it->second;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What plugins and lessons say, in the language of the window: from the files words.<language>.json beside them (host/words.hpp), a
-// stranger's like ours. What nobody has translated is shown as it was said. Only what is shown is translated: nothing here goes into
-// a record. GUI thread.
+// Translations of the texts of plugins and lessons into the language of the window: from the files words.<language>.json beside them
+// (host/words.hpp), of any author. Untranslated texts are shown as they are. Only displayed text is translated, never a
+// record. GUI thread.
 #pragma once
 
 #include <QString>
@@ -14,23 +14,23 @@
 
 namespace swage::console {
 
-/// Forgets all words; those of `language` ("de") are read from then on, and in any language the English names of events and signals.
+/// Forgets all translations; those of `language` ("de") are read from then on, and in any language the English names of events and signals.
 void set_words_language(const QString& language);
 const QString& words_language();
-/// Reads the translations of a folder, once. Of two translations of the same words the first stays.
+/// Reads the translations of a folder, once. Of two translations of one text the first is used.
 void learn_words(const QString& folder);
-/// What was wrong with the files that were read.
+/// Errors in the files read so far.
 const base::Problems& problems_of_words();
 
 QString said(const std::string& words);
 QString said(const QString& words);
-/// The same of a plugin's own words: two plugins may mean different things by "Drag". `folder`: that of its bundle.
+/// Translation of a plugin's text by its own file: two plugins may use "Drag" in different senses. `folder`: that of its bundle.
 QString said(const std::string& words, const std::string& folder);
 /// "grasp.force" -> its name in this language, else in English, else "Grasp force".
 QString said_id(const std::string& id);
-/// The same of one signal or event of a scene; where another instance has one of that id, it says whose it is.
+/// The name of a signal or event of a scene; where several instances have the same id, with the name of the instance.
 QString said_name(const judge::Name& one, const std::vector<judge::Name>& all);
-/// What an event means, without what its value stands for.
+/// The meaning of an event, without the explanation of its value.
 QString said_event(const std::string& doc);
 
 }  // namespace swage::console

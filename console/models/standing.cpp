@@ -12,10 +12,10 @@
 namespace swage::console {
 namespace {
 
-constexpr int kStuck = 3;         // fewer failures in a row are how one learns
+constexpr int kStuck = 3;         // fewer failures in a row are a normal part of learning
 constexpr int kWeek = 7;          // days; retention drops visibly after about a week without practice
-constexpr int kMostWeeks = 4;     // a person who left for good does not stay on top for ever
-constexpr int kReady = 3;         // passes in a row after which a test is due
+constexpr int kMostWeeks = 4;     // a person who left for good must not stay at the top of the list
+constexpr int kReady = 3;         // passed attempts in a row after which a test is due
 
 class StandingWords {
   Q_DECLARE_TR_FUNCTIONS(standing)
@@ -32,7 +32,7 @@ QString short_reason(const QString& id) {
 Standing standing_of(const std::vector<const record::AttemptRow*>& newest_first, const QDateTime& now) {
   Standing out;
   QSet<QString> passed_lessons;
-  bool ends = true;  // still within the failures at the end
+  bool ends = true;  // still in the run of failures at the end
   QString newest_lesson;
   for (const record::AttemptRow* a : newest_first) {
     if (out.last_utc.isEmpty() && !is_hand(*a)) {

@@ -10,14 +10,14 @@
 
 namespace swage::console {
 
-/// "● runs", "▲ lost for 12 s"; a sign with every word, so that colour is not needed.
+/// "● runs", "▲ lost for 12 s": a sign with every state, so that colour is not needed.
 QString station_state_text(const record::StationNow& now);
-/// What is wrong there with time, solver, devices or the record; "● in order" when nothing is.
+/// Faults of a station in timing, solver, devices or record; "● in order" without any.
 QString station_health_text(const record::StationNow& now);
 /// "OR 2   Take the tips   ✓ read"
 QString sent_text(const record::StationMessage& message);
 
-/// The stations of the school, one a row, by name; a row keeps its place while its station stays.
+/// The stations of the school, one per row, sorted by name; a row keeps its place while its station is listed.
 class StationsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class StationsModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
   void set_stations(const std::vector<record::StationNow>& stations, const QString& own_name);
-  /// What the theme says for the meaning of a cue.
+  /// Sets the theme's text for the meaning of a cue.
   void set_cue_words(std::function<QString(const QString& meaning)> words);
   int row_of(const QString& name) const;
   const record::StationNow& at(int row) const { return stations_[static_cast<size_t>(row)]; }

@@ -29,7 +29,7 @@ std::string text_of(const Json& object, const char* key) {
 
 bool is_list_or_none(const Json& file, const char* key, Json::value_t type) { return !file.contains(key) || file[key].type() == type; }
 
-// A part that the file itself adds goes from there; one of the lesson below is named as removed.
+// A part added by the file itself is deleted there; a part of the base is listed as removed.
 void remove_from(Json& file, const std::string& name) {
   for (auto& [list, parts] : file["add"].items())
     for (std::size_t i = 0; parts.is_array() && i < parts.size(); ++i)
@@ -57,7 +57,7 @@ void change_based(Json& file, const Variant& changed) {
   for (const auto& [what, value] : changed.set) file["set"][what] = Json::parse(value, nullptr, false);
 }
 
-// A lesson that is based on nothing has its parts and values itself. Returns why not, or "".
+// Changes a lesson without a base, whose parts and values are in the file itself. Returns "" or the error.
 QString change_whole(Json& file, const Variant& changed) {
   assembly::Places none;
   base::Problems problems;
@@ -88,7 +88,7 @@ QString own_lessons_folder() {
 QString slug(const QString& title) {
   QString out;
   for (const QChar c : title.normalized(QString::NormalizationForm_KD).toLower()) {
-    if (c.isMark()) continue;  // an accent
+    if (c.isMark()) continue;  // combining accents
     const bool plain =
         (c >= QLatin1Char('a') && c <= QLatin1Char('z')) || (c >= QLatin1Char('0') && c <= QLatin1Char('9'));
     if (plain)
@@ -101,7 +101,7 @@ QString slug(const QString& title) {
 }
 
 QByteArray variant_text(const Variant& variant, const QString& folder) {
-  // what lies below one roof may move together; all else is named in full
+  // a base within the same folder tree is named relatively, as both may be moved together; any other by its full path
   const QString relative = QDir(folder).relativeFilePath(variant.base);
   const bool near = !relative.startsWith(QLatin1String(".."));
   Json file;

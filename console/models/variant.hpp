@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A lesson that an instructor makes of another one: a file that is based on it, leaves parts out, adds others and sets values
+// A lesson that an instructor derives from another: a file that names its base, removes parts, adds others and sets values
 // (assembly/lesson_text.hpp).
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace swage::console {
 
 struct Variant {
-  QString base;  // path of the lesson that it is based on
+  QString base;  // path of the base lesson
   QString title, summary, goal;
   QVector<std::pair<std::string, std::string>> set;  // "needle.arc" and JSON
   std::vector<std::string> remove = {};              // names of objects, couplings and devices
@@ -26,40 +26,40 @@ struct Variant {
   bool operator==(const Variant&) const = default;
 };
 
-/// Where lessons of one's own are, found without being asked for.
+/// Folder of the user's own lessons, which is searched by default.
 QString own_lessons_folder();
-/// Where lessons are kept while they are edited, so that nothing is lost where the program ends.
+/// Folder of drafts during an edit, so that nothing is lost when the program ends.
 QString lesson_drafts_folder();
 
-/// "Stiff wall, 2/8" is "stiff_wall_2_8": of a title, for file and id; "lesson" when nothing is left of it.
+/// "Stiff wall, 2/8" -> "stiff_wall_2_8": file name and id from a title; "lesson" when nothing is left of it.
 QString slug(const QString& title);
 
-/// The file's text. `folder`: where it will be; the base is named from there.
+/// The file's text. `folder`: its destination; the base is named relative to it.
 QByteArray variant_text(const Variant& variant, const QString& folder);
 
-/// What such a text says; nothing where it is none. The base is as it is written there.
+/// Parses such a text; no value for other texts. The base is returned as written there.
 std::optional<Variant> read_variant(const QByteArray& text);
 
-/// Writes <folder>/<slug>.json whole or not at all. `problem` says why not: no title, one of that name is there, no room.
+/// Writes <folder>/<slug>.json atomically. `problem`: the error, such as no title, an existing file, a full disk.
 struct Saved {
   QString path, problem;
 };
 Saved save_variant(const Variant& variant, const QString& folder);
 
-/// Whether a lesson is one of one's own: a file in that folder, which may be edited and deleted.
+/// Whether a lesson is the user's own: a file in that folder, which may be edited and deleted.
 bool is_own_lesson(const QString& path, const QString& folder = own_lessons_folder());
 
-/// Writes title, task, goal, parts and values into a lesson of one's own, based on another or not, whole or not at all; `base` is
-/// not looked at. The id and all else of the file stay: attempts refer to the id. Returns why not, or "".
+/// Writes title, task, goal, parts and values into one of the user's own lessons, derived or not, atomically; `base` is
+/// ignored. The id and all else in the file stay: attempts refer to the id. Returns "" or the error.
 QString update_variant(const QString& path, const Variant& changed);
 
-/// The titles of lessons in a folder that are based on this one, and could not run without it.
+/// Titles of the lessons in a folder that are derived from this one and could not run without it.
 QStringList based_on_it(const QString& path, const QString& folder = own_lessons_folder());
 
-/// Writes a file whole or not at all. Returns why not, or "".
+/// Writes a file atomically. Returns "" or the error.
 QString write_whole(const QString& path, const QByteArray& text);
 
-/// Puts a lesson of one's own into the desktop's bin, from which it can be taken back. Returns why not, or "".
+/// Moves one of the user's own lessons to the desktop's bin, from which it can be restored. Returns "" or the error.
 QString delete_lesson(const QString& path);
 
 }  // namespace swage::console

@@ -18,14 +18,14 @@ class ValueWords {
   Q_DECLARE_TR_FUNCTIONS(words)
 };
 
-// Counts have none, all else three digits that mean something. `small`: the unit is smaller than the usual one.
+// Counts have no decimals, all other numbers three significant digits. `small`: the unit is smaller than the usual one.
 int decimals_of(double shown, const QString& unit, bool small) {
   const double size = std::abs(shown);
   if (small && unit.startsWith(QChar(0xb5))) return size < 10 ? 1 : 0;
   if (small) return 2;
   const bool whole = unit.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
   if (whole) return 0;
-  // a small share of one has two digits that mean something, too
+  // a pure number below 0.1 has two significant digits
   if (unit.isEmpty() && size < 0.1) return std::min(6, 1 - static_cast<int>(std::floor(std::log10(size))));
   return size >= 100 ? 0 : size >= 10 ? 1 : 2;
 }

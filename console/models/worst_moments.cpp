@@ -13,8 +13,8 @@
 namespace swage::console {
 namespace {
 
-// A metric is a filtered peak or a quantile of its signal: the raw peak lies near it. 0: only equal numbers belong together;
-// large: a signal of another size is taken for it.
+// Relative tolerance between a metric and its signal's raw peak; the metric is a filtered peak or a quantile. 0: only equal numbers match;
+// large: a signal of another size matches.
 constexpr double kNear = 0.25;
 
 QStringList parts(const std::string& id) {
@@ -22,8 +22,8 @@ QStringList parts(const std::string& id) {
   return QString::fromStdString(id).split(kBreak, Qt::SkipEmptyParts);
 }
 
-// The ABI says of no event whether it is good or bad; its name does. What a coupling touches is what it is for: only a lesson can mean
-// something that should not be touched.
+// The ABI does not mark events as good or bad; their names do. Contacts of a coupling are not mishaps: only a lesson can define
+// objects that must not be touched.
 bool is_mishap(const Moment& m) {
   static const QRegularExpression kWords(
       QStringLiteral("(^|[._])(failed|dropped|broke|lost|deflected|refused|torn|slipped|missed|reset|quarantined|force_stopped|"
@@ -46,7 +46,7 @@ Peak peak_of(const Trace& t, const record::Recording& r, double dt_s) {
   return out;
 }
 
-// The peak of the signal that a metric was made of: the same unit, a word in common, nearly the same number.
+// The peak of the signal from which a metric was computed: same unit, a word in common, nearly the same number.
 bool find_peak(const record::MetricValue& m, const Review& review, const record::Recording& r, Peak& out) {
   double nearest = kNear * m.value;
   bool found = false;

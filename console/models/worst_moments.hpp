@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Where an attempt went worst: what ended it, what went wrong on the way, and when the signals behind its metrics peaked.
+// The worst moments of an attempt: the event that ended it, mishaps, and the peaks of the signals behind its metrics.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,15 @@ struct WorstMoment {
   double time_s = 0;
   QString what;  // "Grip force, peak 1.70 N, at most 0.90 N"
   QString tip;
-  double weight = 0;  // greater is worse; from kOverLimit on something was not as asked
+  double weight = 0;  // greater is worse; from kOverLimit on a limit was exceeded
 };
 inline constexpr double kOverLimit = 10, kEndedIt = 100;
 inline constexpr int kMostWorst = 8;
 
-/// What a lesson asks of a metric, SI.
+/// A lesson's target for a metric, SI.
 using TargetFinder = std::function<MetricTarget(const std::string& metric)>;
 
-/// The worst first, at most kMostWorst. `target` may be empty.
+/// Sorted by weight, worst first, at most kMostWorst. `target` may be empty.
 QVector<WorstMoment> worst_moments(const Review& review, const record::Recording& recording, const TargetFinder& target = {});
 
 }  // namespace swage::console

@@ -9,14 +9,14 @@ namespace swage::console {
 
 ActionBar::ActionBar(RunControl* control, QWidget* parent)
     : QWidget(parent),
-      pause_(make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), this)),
-      reset_(make_button(tr("Put back"), QStringLiteral("F7"), QStringLiteral("reset"), this)),
-      mark_(make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), this)),
-      stop_(make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), this)),
-      guide_(make_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), this)) {
+      pause_(make_keyed_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), this)),
+      reset_(make_keyed_button({}, QStringLiteral("F7"), QStringLiteral("reset"), this)),
+      mark_(make_keyed_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), this)),
+      stop_(make_keyed_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), this)),
+      guide_(make_keyed_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  reset_->setToolTip(tr("Put what the lesson works on back to where it started (F7)"));
+  set_reset({}, {});
   mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
   guide_->setCheckable(true);
   guide_->setToolTip(tr("An expert's instruments, seen through, show what comes next and wait for you; not in a test (F4)"));
@@ -31,6 +31,15 @@ ActionBar::ActionBar(RunControl* control, QWidget* parent)
 void ActionBar::set_running(bool running, bool paused) {
   for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
   pause_->setText(paused ? tr("Resume   F6") : tr("Pause   F6"));
+  place_keys();
+}
+
+void ActionBar::set_reset(const QString& label, const QString& tip) {
+  const QString words = label.isEmpty() ? tr("Put back") : label;
+  reset_->setText(words + QStringLiteral("   F7"));
+  reset_->setAccessibleName(words);
+  const QString own = tip.isEmpty() ? words : tip;
+  reset_->setToolTip(QStringLiteral("%1 (F7)").arg(label.isEmpty() ? tr("Put what the lesson works on back to where it started") : own));
   place_keys();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The bar below the picture of the Run page: what is done with the attempt that runs. The keys are the main window's. [main]
+// The bar below the picture of the Run page: actions on the running attempt. Their keys are the main window's. [main]
 #pragma once
 
 #include <QPushButton>
@@ -13,18 +13,20 @@ namespace swage::console {
 class ActionBar : public QWidget {
   Q_OBJECT
  public:
-  /// `control`: takes what the buttons say; outlives the bar.
+  /// `control`: receives the commands of the buttons; outlives the bar.
   explicit ActionBar(RunControl* control, QWidget* parent = nullptr);
   void set_running(bool running, bool paused);
-  /// Five buttons fit below a narrow picture when each has its key on a second line.
+  /// Label and tip of the reset button, given by a lesson; "" for the program's own.
+  void set_reset(const QString& label, const QString& tip);
+  /// True: each button shows its key on a second line, so that five buttons fit below a narrow picture.
   void set_narrow(bool narrow);
   bool guide_on() const { return guide_->isChecked(); }
   void set_guide(bool on) { guide_->setChecked(on); }
   void set_guide_allowed(bool allowed) { guide_->setEnabled(allowed); }
-  void click_guide() { guide_->click(); }  // nothing while it is not allowed
+  void click_guide() { guide_->click(); }  // has no effect while the button is disabled
 
  Q_SIGNALS:
-  /// An expert's instruments are to go along, or to leave.
+  /// The expert's ghost is switched on or off.
   void guide_toggled(bool on);
 
  private:

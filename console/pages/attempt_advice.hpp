@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What a person is told during an attempt besides what its phase asks: that what has fallen can be put back, that what is held at the
-// wrong place is let go of, and how the mouse does what it has not done yet. [main]
+// Advice to the person during an attempt, beyond the task of its phase: put back a dropped object, release an object that is held at the
+// wrong place, and how to use mouse controls not used so far. [main]
 #pragma once
 
 #include <QCoreApplication>
@@ -17,26 +17,26 @@ namespace swage::console {
 class AttemptAdvice {
   Q_DECLARE_TR_FUNCTIONS(AttemptAdvice)
  public:
-  /// Before an attempt: nothing is held, nothing has fallen. What was used stays known.
+  /// To be called before an attempt: nothing is held or dropped. Used controls are kept.
   void reset() { holds_ = misplaced_ = dropped_ = false; }
-  /// An event of the attempt, by its id. What falls is told until it is held or back again; a thread that slips is not put back.
+  /// An event of the attempt, by its id. A dropped object is advised on until it is held or reset; a slipping thread is not.
   void hear(const std::string& event_id, uint64_t step);
-  /// The newest picture, which may be older than what was heard. Returns whether what is held, or where, has changed.
+  /// Updates from a snapshot, which may be older than the events heard. Returns whether the held object, or its grasp, has changed.
   bool read(const Reading& reading, uint64_t step);
-  /// What to do now; "" for nothing. `by_mouse`: the mouse is the instrument.
+  /// The present advice; "" for none. `by_mouse`: the mouse is the instrument.
   QString words(bool by_mouse) const;
 
   /// Controls that the person has used, in this attempt or an earlier one: "drag close drive open". Their hints are not shown again.
   void set_used(const QString& used) { used_ = used; }
   void use(const QString& control) { used_ += QLatin1Char(' ') + control; }
   const QString& used() const { return used_; }
-  /// Each control is told when it is needed. `test`: without what tells an answer; `drives`: something can be pierced.
+  /// The hints needed now. `test`: without those that reveal an answer; `drives`: an object can be pierced.
   ControlHints hints(bool test, bool drives) const;
 
  private:
   QString used_;
-  bool holds_ = false, misplaced_ = false, dropped_ = false;  // now: jaws hold something, at the wrong place; it has fallen
-  uint64_t dropped_at_ = 0;                                   // step
+  bool holds_ = false, misplaced_ = false, dropped_ = false;  // the jaws hold an object; at the wrong place; an object was dropped
+  uint64_t dropped_at_ = 0;                                   // step of the drop
 };
 
 }  // namespace swage::console

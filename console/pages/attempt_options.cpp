@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 
 void AttemptOptions::set_base(const session::Options& base) {
@@ -22,7 +24,7 @@ bool AttemptOptions::set_binding(const Binding& binding) {
 QString AttemptOptions::instrument_title() const {
   const auto name = [&](const std::string& id) {
     const host::PluginInfo* plugin = catalogue_.find(id);
-    return QString::fromStdString(plugin != nullptr ? plugin->name : id);
+    return plugin != nullptr ? said(plugin->name, plugin->bundle_dir) : QString::fromStdString(id);
   };
   QString title;
   if (binding_.any()) title = name(binding_.pose);
@@ -42,7 +44,7 @@ session::Options AttemptOptions::lesson(const record::Display& display) const {
   o.mode = show_ ? "demo" : setup_.mode().toStdString();
   o.display = display;
   if (setup_.left_handed()) o.settings.push_back("mirror=true");
-  // a demonstration is nobody's attempt
+  // a demonstration is nobody's attempt and is not stored
   if (o.mode == "demo") o.store_path = ":none:";
   return o;
 }
@@ -66,7 +68,7 @@ session::Options AttemptOptions::reader() const {
   return o;
 }
 
-// The lesson's devices as they are led and placed here; the person's own instrument is then the lesson's first choice.
+// Applies binding and placement to the lesson's devices; the person's own instrument then stands for the lesson's first choice.
 void AttemptOptions::take_instrument(session::Options& o, const std::optional<Placement>& place) const {
   const bool own = o.device == kOwnInstrument;
   for (std::string& s : instrument_settings(o.lesson_path, own ? binding_ : Binding{}, place, catalogue_)) o.settings.push_back(std::move(s));

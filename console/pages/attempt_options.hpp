@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What an attempt is opened with: what holds for every session here, what is chosen on the Run page, where the instrument stands. [main]
+// The options of a session: the common ones, the choices on the Run page, the placement of the instrument. [main]
 #pragma once
 
 #include <QString>
@@ -15,30 +15,30 @@
 
 namespace swage::console {
 
-/// Where the instrument stands that is called so; nothing: as the lesson says.
+/// The placement of the device with this name; no value: the lesson's.
 using Placing = std::function<std::optional<Placement>(const std::string& device)>;
 
 class AttemptOptions {
  public:
   explicit AttemptOptions(const SetupPanel& setup) : setup_(setup) {}
-  /// What every session is opened with: plugins, store, pace.
+  /// Options common to all sessions: plugins, store, pace.
   void set_base(const session::Options& base);
   const host::Catalogue& catalogue() const { return catalogue_; }
   void set_placing(Placing placing) { placing_ = std::move(placing); }
-  /// A person's own instrument; whether it is another than before.
+  /// Sets the person's own instrument; returns whether it changed.
   bool set_binding(const Binding& binding);
-  /// What it is called; "" when there is none.
+  /// The name of that instrument; "" when there is none.
   QString instrument_title() const;
-  /// A demonstration is nobody's attempt, whatever mode is chosen.
+  /// True for a demonstration, which is nobody's attempt, in any mode.
   void set_show(bool show) { show_ = show; }
 
-  /// A lesson by itself, with no hand chosen.
+  /// Options of a lesson with no device chosen.
   session::Options of(const QString& lesson_path) const;
-  /// The lesson as it is chosen, whoever plays it.
+  /// Options of the chosen lesson, without the device.
   session::Options lesson(const record::Display& display) const;
-  /// And with the chosen hand. `cues`: how they feel on a device that takes forces.
+  /// Options of the chosen lesson with the chosen device. `cues`: their force pulses on force-feedback devices.
   session::Options attempt(const record::Display& display, const CueTheme& cues) const;
-  /// The chosen instrument at the origin, without forces: to read it.
+  /// Options that read the chosen device: placed at the origin, without forces.
   session::Options reader() const;
 
  private:

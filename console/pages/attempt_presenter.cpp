@@ -14,8 +14,8 @@ namespace {
 // the thesis: 0.6 N holds a needle well
 constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
-constexpr double kMarked_s = 2;            // a mark is of a moment that has just gone by
-constexpr qint64 kHealthPeriod_ms = 1000;  // once a second is often enough to read a number
+constexpr double kMarked_s = 2;            // a mark refers to a moment just before the key press
+constexpr qint64 kHealthPeriod_ms = 1000;  // a number cannot be read more often than once a second
 
 bool can_be_pierced(const snapshot::CardObject& object) {
   return std::find(object.traits.begin(), object.traits.end(), SWAGE_TRAIT_PIERCEABLE) != object.traits.end();
@@ -79,7 +79,7 @@ void AttemptPresenter::look(CameraPreset preset) {
 void AttemptPresenter::set_scene(const Panels& p) {
   const std::string lesson = parts_.setup->lesson().toStdString();
   const host::Catalogue& catalogue = parts_.options->catalogue();
-  // what only shows something judges no force
+  // a demonstration judges no force
   const ForceBand usual = asked_.show ? ForceBand{0, std::numeric_limits<double>::infinity()} : ForceBand{kThesisLow_N, kThesisHigh_N};
   p.now->set_scene(reader_, force_band(lesson, catalogue).value_or(usual), parts_.setup->task(), asked_);
   p.now->form()->set_params(live_params(lesson, card_, catalogue));
@@ -133,7 +133,7 @@ record::Display AttemptPresenter::display() const {
   return out;
 }
 
-// A view that changes in the middle of an attempt is noted at its moment; the head of the record says how it began.
+// A change of the view during an attempt is recorded with its time; the head of the record has the view at the start.
 void AttemptPresenter::tell_display() {
   const record::Display now = display();
   if (now == seen_) return;
@@ -161,7 +161,7 @@ void AttemptPresenter::update_state() {
     p.now->form()->set_running(running);
     if (!running) p.legend->set_active({});
   }
-  // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
+  // during an attempt, the mouse over the picture is the instrument when the lesson's device is the mouse
   for (SceneView* view : views_) view->set_instrument(moves && hand_.is_led());
   update_insets();
   update_hints();
@@ -172,14 +172,14 @@ void AttemptPresenter::update_state() {
   if (!running) guide_.end();
 }
 
-// the second view shows depth to a person who has only a mouse
+// the second view shows the depth to a person with a mouse only
 void AttemptPresenter::update_insets() {
   SceneView* own = views_.first();
   own->set_second_shown(control_->running() && hand_.is_led() && parts_.bar->insets_on());
   own->set_loupe_shown(parts_.bar->insets_on());
 }
 
-// a test is taken without help: only the instructor's panels show cues
+// no help in a test: only the instructor's panels show cues
 void AttemptPresenter::update_cues() {
   parts_.bar->set_cues_allowed(!is_test());
   const bool shown = !is_test() && parts_.bar->cues_on();
@@ -227,7 +227,7 @@ void AttemptPresenter::show_reading(const Reading& reading, double time_s) {
     view->set_task(test ? parts_.setup->summary() : said(reading.phase));
     view->set_hold(reading.hold.value_or(0));
   }
-  // a test is taken without help, so it is silent
+  // no help in a test: it is silent
   parts_.bar->sound()->hear(reading.meanings, time_s, cue_theme_, parts_.bar->cues_on() && !test);
 }
 
@@ -253,7 +253,7 @@ void AttemptPresenter::set_used_controls(const QString& used) {
   update_hints();
 }
 
-// A test is taken without what tells an answer.
+// In a test, hints that reveal an answer are hidden.
 void AttemptPresenter::update_hints() {
   ControlHints hints;
   if (control_->running() && hand_.is_led())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Shows an attempt: each frame and event goes to the pictures, to the panels that are read beside them, to the list of what happened, to
-// the loudspeaker and to the status strip. In a test a trainee's views and panels show no answers. It starts and ends nothing but the
-// expert's ghost, which goes along with the pictures. [main]
+// Shows an attempt: distributes each frame and event to the pictures, the panels beside them, the list of events, the
+// loudspeaker and the status strip. In a test a trainee's views and panels show no answers. It starts and ends nothing except the
+// expert's ghost, which is shown in the pictures. [main]
 #pragma once
 
 #include <QElapsedTimer>
@@ -31,58 +31,58 @@ namespace swage::console {
 class AttemptPresenter : public QObject {
   Q_OBJECT
  public:
-  /// What it reads and writes to; all outlive it.
+  /// Sources and sinks; all outlive the presenter.
   struct Parts {
-    RunControl* control;            // whose attempt is shown
+    RunControl* control;            // control of the shown attempt
     const SetupPanel* setup;        // lesson and mode
     const AttemptOptions* options;  // catalogue of plugins
-    ViewBar* bar;                   // what the pictures are to show
+    ViewBar* bar;                   // display options of the pictures
     EventLog* events;
     StatusStrip* strip;
   };
   explicit AttemptPresenter(const Parts& parts, QObject* parent = nullptr);
 
-  /// A picture of the attempt, until it is destroyed. The first is the page's own, others show what it shows.
+  /// Adds a picture of the attempt, until the view is destroyed. The first is the page's own, further ones show the same scene.
   void add_view(SceneView* view);
-  enum class For { kTrainee, kInstructor };  // whether a test hides its answers
-  /// Readings and cues beside the pictures, from now on; they outlive the presenter. The first are the page's own, others show the scene
-  /// that is there already.
+  enum class For { kTrainee, kInstructor };  // a test hides answers from the trainee only
+  /// Adds readings and cues beside the pictures; they outlive the presenter. The first are the page's own, further ones are set to the
+  /// present scene.
   void add_panels(NowPanel* now, CueLegend* legend, For reader);
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   const UiTheme& ui_theme() const { return ui_theme_; }
   const CueTheme& cue_theme() const { return cue_theme_; }
-  /// A camera preset, now and for every scene shown from now on.
+  /// Sets the camera preset of all present and future scenes.
   void look(CameraPreset preset);
-  /// For the next scene only; the pictures stay as they are.
+  /// Sets the preset of the next scene; the present pictures are not changed.
   void set_next_look(CameraPreset preset) { preset_ = preset; }
 
-  /// The scene of the chosen lesson, or of the attempt that begins; `asked`: what the lesson asks for.
+  /// Shows the scene of the chosen lesson, or of the attempt that begins; `asked`: the lesson's criteria.
   void show_card(const snapshot::SceneCard& card, const Criteria& asked);
-  /// A lesson that cannot run shows its title and task, and nothing of the lesson before.
+  /// For a lesson that cannot run: shows its title and task, and removes the previous scene.
   void show_no_scene(const QString& title, const Criteria& asked);
   /// Clears list, clock and hold of the last attempt.
   void forget();
   /// Before an attempt: clears the list of events, advice and sounds.
   void clear();
-  /// The attempt is about to begin: the guide is opened where one is wanted. `like`: the lesson as it is played, with its seed.
+  /// To be called when an attempt begins: opens the guide if it is wanted. `like`: options of the attempt, with its seed.
   /// Returns how the trainee sees the scene, for the head of the record.
   record::Display begin(const session::Options& like, bool guide_wanted);
-  /// The attempt is over, `banner` is its outcome.
+  /// To be called when the attempt has ended; `banner`: its outcome.
   void end(double simulated_s, const QString& banner);
 
-  /// After every change of the run's state: runs, pauses, rests.
+  /// To be called after every change of the run's state: running, paused, idle.
   void update_state();
-  /// After every change of mode or of what the cues' button says.
+  /// To be called after every change of mode or of the cues button.
   void update_cues();
   void update_insets();
   void update_frame();
 
-  /// How the trainee sees the scene: in the view that was added last and is open, else in the first.
+  /// How the trainee sees the scene: in the open view that was added last, else in the first.
   record::Display display() const;
   bool is_test() const { return parts_.setup->mode() == QLatin1String("test"); }
   GuideControl& guide() { return guide_; }
   const GuideControl& guide() const { return guide_; }
-  /// In the middle of an attempt; nothing between two.
+  /// Switches the guide during an attempt; without one no effect.
   void toggle_guide(bool on);
   /// Controls that the person has used before: their hints are not shown again.
   void set_used_controls(const QString& used);
@@ -118,9 +118,9 @@ class AttemptPresenter : public QObject {
   Criteria asked_;
   bool have_card_ = false;
   Reader reader_;
-  record::Display seen_;  // while an attempt runs: as it was when last told to its record
+  record::Display seen_;  // during an attempt: the view as last recorded
   QElapsedTimer rate_clock_;
-  uint64_t rate_steps_ = 0;  // step at which that clock was started
+  uint64_t rate_steps_ = 0;  // step at the start of the rate measurement
 };
 
 }  // namespace swage::console

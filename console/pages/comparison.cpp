@@ -65,7 +65,7 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   connect(close, &QPushButton::clicked, this, &Comparison::closed);
 }
 
-// the player looks at the recording
+// the player refers to the recording
 Comparison::~Comparison() { player_.reset(); }
 
 void Comparison::set_themes(const UiTheme& ui, const CueTheme& cues) { view_->set_themes(ui, cues); }
@@ -96,7 +96,7 @@ void Comparison::fill_events(const Review& first) {
     align_->addItem(tr("Start"), 0.0);
     for (const CommonEvent& e : common_events(first, review_)) align_->addItem(e.what, e.other_s - e.first_s);
     align_->addItem(tr("End"), review_.length_s - first.length_s);
-    align_->setCurrentIndex(align_->count() > 2 ? 1 : 0);  // what both have done comes before their starts
+    align_->setCurrentIndex(align_->count() > 2 ? 1 : 0);  // a common event is a better default than the two starts
   }
   Q_EMIT aligned();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Another attempt beside the one under review, on the same clock: its picture, and by how much it is shifted.
+// A second attempt beside the reviewed one, on a shifted clock: its picture, and the shift.
 #pragma once
 
 #include <QCheckBox>
@@ -16,7 +16,7 @@
 
 namespace swage::console {
 
-/// An event that both attempts have, and when it came first in each.
+/// An event of both attempts, and the time of its first occurrence in each.
 struct CommonEvent {
   QString id, what;
   double first_s = 0, other_s = 0;
@@ -29,21 +29,21 @@ class Comparison : public QWidget {
   explicit Comparison(QWidget* parent = nullptr);
   ~Comparison() override;
   void set_themes(const UiTheme& ui, const CueTheme& cues);
-  /// Takes the recording. Without a player traces are compared and the picture says why there is none.
+  /// Takes the recording. Without a player the traces are compared, and the picture shows why there is none.
   void set_attempt(const Review& first, const record::AttemptRow& row, record::Recording recording,
                    const std::vector<record::EventRow>& events, const PlayerOpener& opener);
   const Review& review() const { return review_; }
   const record::Recording& recording() const { return recording_; }
   SceneView* view() { return view_; }
   const Player* player() const { return player_.get(); }
-  /// What is at t in the first attempt is at t + later_s() in this one.
+  /// Time t of the first attempt corresponds to t + later_s() of this one.
   double later_s() const;
-  /// Whether its instruments are wanted in the picture of the first attempt, whose they are, and where they are now.
+  /// Whether its instruments are to be drawn in the first attempt's picture, whose they are, and their present poses.
   bool ghost_wanted() const { return player_ && ghost_->isChecked(); }
   QString person() const { return QString::fromStdString(review_.attempt.person_name); }
   std::span<const swage_pose> X_WB() const { return {snapshot_->X_WB, snapshot_->n_body}; }
   void toggle_ghost() { ghost_->toggle(); }
-  /// Towards the time beside a time of the first attempt, with at most `most` steps of work; true when there.
+  /// Plays towards the time that corresponds to `first_s`, by at most `most` steps; true when it is reached.
   bool toward(double first_s, uint64_t most);
 
  Q_SIGNALS:

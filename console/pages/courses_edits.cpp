@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the Courses page shows of a course, and how its widgets change it.
+// How the Courses page displays a course, and how its widgets change it.
 #include <QLocale>
 #include <QStandardItemModel>
 #include <algorithm>
@@ -24,7 +24,7 @@ QString shown(double value, const QString& unit) {
   return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', 4) : QString();
 }
 
-// "Time" alone would be taken for seconds
+// "Time" alone would be read as a value in seconds
 QString limit_title(const QString& id) {
   return id.startsWith(QLatin1String("points.")) ? CoursesPage::tr("Points lost: %1").arg(metric_title(id)) : metric_title(id);
 }
@@ -50,7 +50,7 @@ void CoursesPage::edit_step(const QString& words, const std::function<void(recor
   edit(words, [&](record::Course& c) { change(c.steps[static_cast<size_t>(at)]); }, field < 0 ? -1 : field + 1000 * at);
 }
 
-// what is chosen stays chosen; the widget that is typed into is not touched when it says what is kept
+// keeps the selection; a focused text field is not overwritten
 void CoursesPage::refresh() {
   record::School* school = desk_->school();
   if (!school) {
@@ -79,7 +79,7 @@ void CoursesPage::refresh() {
   choose_course(list_->currentRow());
 }
 
-// A lesson whose file is faulty is listed, and says so; it cannot be chosen with the mouse or the keys.
+// A lesson with a faulty file is listed with its error, and cannot be selected.
 void CoursesPage::fill_lessons() {
   const QString chosen = lesson_->currentData().toString();
   lesson_->clear();
@@ -124,12 +124,22 @@ void CoursesPage::show_course() {
   show_step();
 }
 
+// Why a lesson of the course cannot be done at this station; "" where it can.
+QString CoursesPage::fault_of(const record::CourseStep& s) const {
+  const int row = lessons_->row_of(QString::fromStdString(s.lesson_id));
+  if (row < 0) return tr("▲ This lesson is not installed here: nobody can do it at this station.");
+  const QString& problem = lessons_->at(row).problem;
+  return problem.isEmpty() ? QString() : tr("▲ The file of this lesson is faulty: nobody can do it. %1").arg(problem);
+}
+
 void CoursesPage::show_step() {
   const record::CourseStep* s = step();
   step_stack_->setCurrentIndex(s ? 0 : 1);
   if (!s) return;
   const bool before = std::exchange(filling_, true);
   step_title_->setText(said(s->title.empty() ? s->lesson_id : s->title));
+  step_fault_->setText(fault_of(*s));
+  step_fault_->setVisible(!step_fault_->text().isEmpty());
   open_->setChecked(s->is_open);
   const bool streak = s->rule.kind == judge::PassRule::Kind::kStreak;
   kind_->setCurrentIndex(streak ? 0 : 1);
@@ -197,10 +207,10 @@ void CoursesPage::add_lesson() {
   fresh.title = lessons_->at(row).title.toStdString();
   edit(tr("Add a lesson"), [&](record::Course& c) { c.steps.insert(c.steps.begin() + at, fresh); });
   steps_->setCurrentRow(at);
-  if (title_->hasFocus()) steps_->setFocus();  // a line that is typed into keeps Ctrl+Z for itself
+  if (title_->hasFocus()) steps_->setFocus();  // a focused text field would handle Ctrl+Z itself
   for (int next = lesson_->currentIndex() + 1; next < lesson_->count(); ++next) {
     if (!lessons_->at(next).problem.isEmpty()) continue;
-    return lesson_->setCurrentIndex(next);  // the next that can be added
+    return lesson_->setCurrentIndex(next);  // the next lesson that can be added
   }
 }
 
@@ -225,7 +235,7 @@ void CoursesPage::add_limit() {
   }
   const bool known = suggest_limit(fresh, experts(), better);
   const LimitColumn column = better == SWAGE_BETTER_HIGHER ? kLeast : kMost;
-  if (!known) (column == kLeast ? fresh.least : fresh.most) = 0;  // a limit has a number; it is asked for at once
+  if (!known) (column == kLeast ? fresh.least : fresh.most) = 0;  // a limit must have a number; the field is opened for editing at once
   edit_step(tr("Add a limit"), [&](record::CourseStep& c) { c.limits.push_back(fresh); });
   limits_->setCurrentCell(limits_->rowCount() - 1, column);
   if (!known) limits_->editItem(limits_->currentItem());
@@ -277,7 +287,7 @@ std::vector<const record::AttemptRow*> CoursesPage::experts() {
     for (const record::Person& p : school->people())
       if (p.group_id == g.id) ids.push_back(p.id);
   }
-  // read once until something has changed
+  // read again only after a change
   if (attempts_of_ != s->lesson_id) {
     const std::shared_ptr<record::Store> store = link_->store();
     attempts_ = store ? read_expert_attempts(*store, ids, s->lesson_id) : std::vector<record::AttemptRow>();

@@ -11,10 +11,10 @@
 namespace swage::console {
 namespace {
 
-constexpr int kSimulate_ms = 200;  // after the last change: a tenth of a second of work each
-constexpr int kLeastRule_px = 300;  // of the rule beside lists on a narrow screen
+constexpr int kSimulate_ms = 200;  // after the last change, as each simulation takes a tenth of a second
+constexpr int kLeastRule_px = 300;  // of the rule, beside the lists on a narrow screen
 
-/// Fields of a course whose edits that follow each other are one undo.
+/// Fields of a course; successive edits of one are undone together.
 enum Field { kTitle = 1, kRule = 10, kLimit = 100 };
 
 QListWidget* make_list(const char* name, const QString& accessible, QWidget* parent) {
@@ -46,7 +46,7 @@ CoursesPage::CoursesPage(SchoolDesk* desk, StoreLink* link, LessonsModel* lesson
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
   splitter->setStretchFactor(2, 5);
-  splitter->setSizes({150, 300, 850});  // whatever the course has: what they ask for changes with it
+  splitter->setSizes({150, 300, 850});  // fixed, as the widgets' size hints change with the course
   step_stack_->setMinimumWidth(kLeastRule_px);
   stack_->addWidget(splitter);
   stack_->addWidget(make_empty());
@@ -139,7 +139,7 @@ QWidget* CoursesPage::make_steps() {
 QWidget* CoursesPage::make_step() {
   step_stack_ = new QStackedWidget(this);
   QScrollArea* scroll = make_scroll(step_stack_);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // a screen of 960 px
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // for a screen of 960 px
   auto* box = new QWidget(scroll);
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
@@ -147,6 +147,11 @@ QWidget* CoursesPage::make_step() {
   step_title_->setProperty("big", true);
   step_title_->setWordWrap(true);
   column->addWidget(step_title_);
+  step_fault_ = new QLabel(box);
+  step_fault_->setObjectName(QStringLiteral("step_fault"));
+  step_fault_->setWordWrap(true);
+  step_fault_->hide();
+  column->addWidget(step_fault_);
   open_ = new QCheckBox(tr("Open at any time, whatever the order"), box);
   open_->setObjectName(QStringLiteral("step_open"));
   connect(open_, &QCheckBox::clicked, this, [this](bool on) { edit_step(tr("Open"), [&](record::CourseStep& s) { s.is_open = on; }); });
@@ -264,6 +269,7 @@ QWidget* CoursesPage::make_limits() {
   metric_ = new QComboBox(card.frame);
   metric_->setObjectName(QStringLiteral("limit_metric"));
   metric_->setAccessibleName(tr("Metric to limit"));
+  metric_->setPlaceholderText(tr("The metrics of this lesson are not known here"));
   row->addWidget(metric_, 1);
   auto* add = make_button(tr("Add limit"), {}, QStringLiteral("add_limit"), card.frame);
   give_key(add, QStringLiteral("Ctrl+M"));

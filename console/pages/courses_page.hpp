@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Courses page: lessons in order, and when each is passed. Every edit is written at once and can be undone.
+// The Courses page: lessons in order, and the pass rule of each. Every edit is written at once and can be undone.
 #pragma once
 
 #include <QCheckBox>
@@ -24,7 +24,7 @@
 
 namespace swage::console {
 
-/// A metric that a lesson has.
+/// A metric of a lesson.
 struct LessonMetric {
   QString id, unit;  // SI
   int32_t better = 0;
@@ -51,10 +51,11 @@ class CoursesPage : public QWidget {
   QDoubleSpinBox* add_rate(QFormLayout* form, const QString& label, const char* name, double most,
                            double judge::PassRule::*field, const QString& tip);
   record::CourseStep* step();
-  /// Writes the course as `change` leaves it.
+  /// Applies `change` to the course and writes it.
   void edit(const QString& words, const std::function<void(record::Course&)>& change, int field = -1);
   void edit_step(const QString& words, const std::function<void(record::CourseStep&)>& change, int field = -1);
   void fill_lessons();
+  QString fault_of(const record::CourseStep& step) const;
   void choose_course(int row);
   void show_course();
   void show_step();
@@ -72,14 +73,14 @@ class CoursesPage : public QWidget {
   LessonsModel* lessons_;
   LessonMetrics metrics_;
   std::vector<record::Course> courses_;
-  record::Course course_;  // the chosen one
-  std::vector<record::AttemptRow> attempts_;  // of experts at this lesson
+  record::Course course_;  // the selected course
+  std::vector<record::AttemptRow> attempts_;  // of experts at the selected lesson
   std::string attempts_of_;
   QTimer simulate_timer_;
-  bool filling_ = false;  // what the widgets say is not an edit
+  bool filling_ = false;  // while true, widget signals are not edits
 
   QStackedWidget *stack_ = nullptr, *step_stack_ = nullptr;
-  QLabel *empty_ = nullptr, *odds_ = nullptr, *rule_says_ = nullptr, *together_ = nullptr, *step_title_ = nullptr, *problem_ = nullptr;
+  QLabel *empty_ = nullptr, *odds_ = nullptr, *rule_says_ = nullptr, *together_ = nullptr, *step_title_ = nullptr, *step_fault_ = nullptr, *problem_ = nullptr;
   QListWidget *list_ = nullptr, *steps_ = nullptr;
   QLineEdit* title_ = nullptr;
   QCheckBox *in_order_ = nullptr, *open_ = nullptr;

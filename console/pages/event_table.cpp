@@ -11,10 +11,10 @@ namespace swage::console {
 namespace {
 
 constexpr int kLine_px = 22, kTwoLines_px = 36;
-constexpr double kSmall = 0.86;   // of the usual size: the meaning
-constexpr double kMuted = 0.72;   // of the strength of the usual text
+constexpr double kSmall = 0.86;   // size of the meaning, of the usual size
+constexpr double kMuted = 0.72;   // opacity of the meaning's text
 
-/// What happened, and its meaning on a second line.
+/// Draws an event with its meaning on a second line.
 class TwoLines : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -63,7 +63,7 @@ QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
   table->horizontalHeader()->setStretchLastSection(true);
   table->horizontalHeader()->resizeSection(EventLog::kTime, 60);
   table->horizontalHeader()->setHighlightSections(false);
-  // the row has its height only after the view has heard of it
+  // the view learns of the row, and its height, only after this signal
   QObject::connect(events, &QAbstractItemModel::rowsInserted, table, &QTableView::scrollToBottom, Qt::QueuedConnection);
   return table;
 }

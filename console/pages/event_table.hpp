@@ -5,8 +5,8 @@
 
 namespace swage::console {
 
-/// The events of an attempt (an EventLog, or a filter of one) as a list: the time, what happened, and below that in smaller letters what it
-/// means. A column of its own for the meaning would show two words of it in a window of 1280 pixels.
+/// The events of an attempt (an EventLog, or a filter of one) as a list: time and event, and below in smaller letters the
+/// meaning. A separate column for the meaning would show two words of it in a window of 1280 pixels.
 QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent);
 
 }  // namespace swage::console

@@ -10,7 +10,7 @@
 namespace swage::console {
 namespace {
 
-// Problems told at once, of two lines each or more: with more the picture has no room at 800 pixels of height.
+// Largest number of listed problems, of two or more lines each: with more the picture has no room at 800 pixels of height.
 constexpr qsizetype kMostProblems = 5;
 
 }  // namespace
@@ -67,7 +67,7 @@ void FaultCard::show_record_warning(const base::Problems& problems) {
 
 void FaultCard::show_problems(const base::Problems& problems) {
   QStringList lines;
-  // where the record is all that is missing, the lesson itself can run
+  // with problems of the record only, the lesson itself can run
   bool only_record = false;
   for (const base::Problem& p : problems) {
     if (p.severity != base::Severity::kError) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Over the picture of the Run page: why a lesson cannot run, or that its record is not kept as asked, and the way on where there is
-// one. Takes no room while it says nothing. [main]
+// Shown above the picture of the Run page: why a lesson cannot run, or that its record is not stored as requested, and a remedy if there
+// is one. Takes no room without a message. [main]
 #pragma once
 
 #include <QLabel>
@@ -17,18 +17,18 @@ class FaultCard : public QWidget {
  public:
   explicit FaultCard(QWidget* parent = nullptr);
   void say(const QString& words);
-  /// Why the lesson does not run. Where only the record is missing, an attempt without one is offered.
+  /// Shows why the lesson does not run. If only the record fails, an attempt without one is offered.
   void show_problems(const base::Problems& problems);
-  /// An attempt that is kept elsewhere than asked says so while it runs.
+  /// Shows, during the attempt, that it is stored elsewhere than requested.
   void show_record_warning(const base::Problems& problems);
-  /// As long as an attempt runs that is not kept, with the reason of the last refusal.
+  /// Shows, during an attempt that is not stored, the reason of the last refusal.
   void say_unrecorded();
-  /// The words go; what is offered stays.
+  /// Hides the text; the offer stays.
   void hide_words();
   void clear();
 
  Q_SIGNALS:
-  /// The offer is taken: the lesson is to run, and nothing of it is kept.
+  /// The offer was accepted: run the lesson without storing it.
   void run_unrecorded();
 
  private:
@@ -37,7 +37,7 @@ class FaultCard : public QWidget {
 
   QLabel* words_;
   QPushButton* unrecorded_;
-  QString refused_;  // why the store refused
+  QString refused_;  // the store's error
 };
 
 }  // namespace swage::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Live help on the Run page: a ghost of an expert's instruments in all its views, which waits for the trainee. Never in a test. [main]
+// Live help on the Run page: a ghost of an expert's instruments in all views, which waits for the trainee. Never in a test. [main]
 #pragma once
 
 #include <QList>
@@ -15,36 +15,36 @@ namespace swage::console {
 class GuideControl : public QObject {
   Q_OBJECT
  public:
-  /// `views`: those that show the attempt, now and later.
+  /// `views`: the list of views that show the attempt, which may change.
   explicit GuideControl(const QList<SceneView*>& views, QObject* parent = nullptr) : QObject(parent), views_(views) {}
-  /// Who plays a lesson for a guide; without one there is none.
+  /// Sets the opener of experts; without one there is no guide.
   void set_expert(ExpertOpener open) { expert_ = std::move(open); }
   bool possible() const { return static_cast<bool>(expert_); }
-  /// Before the attempt, so that its record says how it began. `like`: the lesson as it is played, with its seed; `wanted`: a guide is
-  /// asked for, and allowed.
+  /// To be called before the attempt, so that its record has the initial state. `like`: options of the attempt, with its seed; `wanted`: a
+  /// guide is requested and allowed.
   void begin(const session::Options& like, bool wanted);
   void end();
-  /// In the middle of an attempt.
+  /// Switches the guide during an attempt.
   void toggle(bool wanted, const snapshot::Snapshot* shown);
-  /// The ghost enters all views, or leaves them.
+  /// Adds the ghost to all views, or removes it.
   void show();
   void show_in(SceneView* view) const;
-  /// Beside what the views show now.
+  /// Moves the ghost to match the snapshot in the views.
   void move(const snapshot::Snapshot* shown);
   const Guide* guide() const { return guide_.get(); }
-  /// A ghost goes along that does not lead astray.
+  /// A ghost is shown, and its expert has not failed.
   bool guides() const { return guide_ && !guide_->failed(); }
 
  Q_SIGNALS:
-  /// There is no guide, and why: a note of the attempt.
+  /// No guide is available, and why: a note for the attempt.
   void noted(double time_s, const QString& what, const QString& means);
 
  private:
   const QList<SceneView*>& views_;
   ExpertOpener expert_;
   std::unique_ptr<Guide> guide_;
-  session::Options like_;  // of the attempt, for a guide that is asked for in the middle of it
-  bool told_ = false;      // that it is gone
+  session::Options like_;  // options of the attempt, for a guide requested during it
+  bool told_ = false;      // the guide's failure has been reported
 };
 
 }  // namespace swage::console

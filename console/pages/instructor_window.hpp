@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The instructor's own window: readings, cues and events of the attempt, also in a test, where the trainee's page shows none.
+// The instructor's window: readings, cues and events of the attempt, also in a test, in which the trainee's page hides them.
 #pragma once
 
 #include <QAbstractItemModel>

@@ -16,7 +16,7 @@ LessonEditing::LessonEditing(LessonsModel* lessons, SetupPanel* setup, RunContro
 
 int LessonEditing::row() const { return control_->running() ? -1 : lessons_->row_of(setup_->lesson()); }
 
-// a scene is built beside the session that runs, if one does, and stepped by nobody
+// scenes are built independently of a running session, and never stepped
 VariantDialog::Services LessonEditing::services() {
   const auto build = [this](const QString& path, base::Problems& problems) { return control_->preview(options_.of(path), problems); };
   return {build, options_.catalogue(), lesson_drafts_folder(), dress_};

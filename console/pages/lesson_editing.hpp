@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// An instructor's own lessons, from the Run page: made from the chosen one, edited, deleted, imported. [main]
+// An instructor's own lessons, from the Run page: derived from the chosen one, edited, deleted, imported. [main]
 #pragma once
 
 #include <QObject>
@@ -22,33 +22,33 @@ class LessonEditing : public QObject {
   Q_OBJECT
  public:
   LessonEditing(LessonsModel* lessons, SetupPanel* setup, RunControl* control, const AttemptOptions& options, QWidget* page);
-  /// Values of a lesson that were changed beside the picture, and may be kept.
+  /// Parameters of a lesson that were changed during an attempt, and may be kept in a derived lesson.
   using LiveValues = std::function<QVector<LiveForm::Change>(const QString& lesson_path)>;
   void set_live_values(LiveValues values) { live_values_ = std::move(values); }
-  /// Gives the picture of a lesson that is edited the window's colours.
+  /// Applies the window's colours to the picture of the edited lesson.
   void set_dress(std::function<void(SceneView&)> dress) { dress_ = std::move(dress); }
 
-  /// Titles of the courses that have a lesson of this id.
+  /// Titles of the courses that contain a lesson with this id.
   void set_courses(std::function<QStringList(const QString& lesson_id)> courses) { courses_ = std::move(courses); }
 
-  /// A lesson based on the chosen one. Each does nothing while an attempt runs.
+  /// Derives a lesson from the chosen one. This and the functions below have no effect during an attempt.
   void make_variant();
-  /// Title, task, goal, parts and values of a lesson of the instructor's own.
+  /// Edits title, task, goal, parts and values of one of the instructor's own lessons.
   void edit();
-  /// Into the bin, when nothing is based on it, after a question.
+  /// Moves the lesson to the bin, after a question, unless other lessons are derived from it.
   void remove();
-  /// A lesson file from elsewhere among one's own, and chosen. Returns why not, or "".
+  /// Adds a lesson file to the own lessons and chooses it. Returns "" or the error.
   QString import_file(const QString& file);
 
  Q_SIGNALS:
-  /// The chosen lesson is another than before, or cannot be built: it is to be looked at again.
+  /// The chosen lesson changed, or cannot be built: its display must be updated.
   void changed();
   void failed(const QString& words);
-  /// The chosen lesson, just saved, is to be practised.
+  /// The chosen lesson was saved and is to be run.
   void try_it();
 
  private:
-  /// Row of the chosen lesson; -1 where nothing may be changed now.
+  /// Row of the chosen lesson; -1 while lessons may not be changed.
   int row() const;
   VariantDialog::Services services();
   bool asked_to_delete(const LessonEntry& lesson);

@@ -16,9 +16,9 @@
 namespace swage::console {
 namespace {
 
-constexpr int kCheckDelay_ms = 150;  // running through the list builds scenes only where one stays
+constexpr int kCheckDelay_ms = 150;  // delay before the scene is built, so that scrolling through the list builds none
 
-/// Every word of the search is in title, task or goal.
+/// Filters lessons whose title, task or goal contain every word of the search.
 class Search : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -40,7 +40,7 @@ class Search : public QSortFilterProxyModel {
   QStringList words_;
 };
 
-/// Whole, as it is recorded; "" where it cannot be read.
+/// the file's whole text, for publishing; "" when it cannot be read
 std::string lesson_text(const QString& path) {
   assembly::LessonText out;
   base::Problems problems;
@@ -68,7 +68,7 @@ LessonsPage::LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget
   show_lesson();
 }
 
-// Ctrl+E is the page's, although a line of text knows it as the way to its end.
+// Ctrl+E is the page's shortcut, although text fields use it for the end of the line.
 bool LessonsPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
@@ -77,7 +77,7 @@ bool LessonsPage::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-// The scene is built, as on the Run page: only that finds every fault.
+// Builds the scene as the Run page does: only that finds every error.
 void LessonsPage::check() {
   if (running_ || !checker_ || !isVisible() || !practise_->isEnabled()) return;
   if (const QString why = checker_(lesson()); !why.isEmpty()) tell_fault(why);
@@ -156,7 +156,7 @@ QWidget* LessonsPage::make_detail() {
 QPushButton* LessonsPage::add_button(QHBoxLayout* row, const QString& words, const char* key, const char* name, std::function<void()> call) {
   const QString keys = QString::fromLatin1(key);
   auto* button = make_button(words, keys, QString::fromLatin1(name), detail_);
-  if (keys != QLatin1String("Enter")) button->setShortcut(QKeySequence(keys));  // that is a key of the list
+  if (keys != QLatin1String("Enter")) button->setShortcut(QKeySequence(keys));  // the list handles Enter itself
   connect(button, &QPushButton::clicked, this, call);
   row->addWidget(button);
   return button;
@@ -167,7 +167,7 @@ void LessonsPage::add_own_buttons(QVBoxLayout* column) {
   variant_ = add_button(own, tr("New lesson from this…"), "Ctrl+N", "new_from_this", [this] { Q_EMIT make_variant(lesson()); });
   edit_ = add_button(own, tr("Edit…"), "Ctrl+E", "edit_this", [this] { Q_EMIT edit_lesson(lesson()); });
   delete_ = add_button(own, tr("Delete…"), "Ctrl+Del", "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
-  // words alone: with all its keys the page would be wider than a remembered layout; the tips tell the keys
+  // text without the key, which would make the page wider than a remembered layout; the tooltips have the keys
   delete_->setText(tr("Delete…"));
   delete_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Del")));
   own->addStretch(1);
@@ -229,7 +229,7 @@ void LessonsPage::search(const QString& words) {
   if (any && !list_->currentIndex().isValid()) list_->setCurrentIndex(found_->index(0, 0));
 }
 
-// A search that leaves this lesson out ends: what has just been made or renamed is to be seen.
+// Clears a search that hides this lesson: a lesson just made or renamed must be visible.
 void LessonsPage::select(const QString& path) {
   const auto row_of = [&] {
     for (int i = 0; i < found_->rowCount(); ++i)
@@ -264,7 +264,7 @@ void LessonsPage::show_version(bool can) {
   if (!last_) return version_->setText(tr("Not published: attempts refer to the file as it is when they run."));
   const QString when = when_text(QString::fromStdString(last_->frozen_utc));
   retire_->setText(last_->retired_utc.empty() ? tr("Retire version %1").arg(last_->number) : tr("Offer version %1 again").arg(last_->number));
-  retire_->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));  // a new text takes the key away
+  retire_->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));  // setText() removes the shortcut
   QString words = same ? tr("Published as version %1, %2.").arg(last_->number).arg(when)
                        : tr("▲ Changed since version %1 was published, %2.").arg(last_->number).arg(when);
   if (!last_->retired_utc.empty()) words += QLatin1Char(' ') + tr("It is retired.");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Lessons page: what can be practised, what each lesson asks for, and lessons of one's own.
+// The Lessons page: the list of lessons, the criteria of each, and the user's own lessons.
 #pragma once
 
 #include <QHBoxLayout>
@@ -23,29 +23,29 @@ namespace swage::console {
 class LessonsPage : public QWidget {
   Q_OBJECT
  public:
-  /// `criteria`: what a lesson file asks for.
+  /// Reads the criteria of a lesson file.
   using CriteriaReader = std::function<Criteria(const QString& path)>;
   LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget* parent = nullptr);
   void select(const QString& path);
   QString lesson() const;  // path; "" for none
   /// Reads the chosen lesson again, as after an edit.
   void show_lesson();
-  /// Through which lessons are published; without it none can be. It outlives the page.
+  /// Sets the desk for publishing; without it no lesson can be published. It outlives the page.
   void set_desk(SchoolDesk* desk);
-  /// While an attempt runs no lesson is made, changed or begun.
+  /// During an attempt no lesson can be made, changed or started.
   void set_running(bool running);
-  /// Looks whether the chosen lesson can run, once the list rests: "" or why not.
+  /// Checks whether the chosen lesson can run, shortly after the last change of selection: "" or the error.
   using Checker = std::function<QString(const QString& path)>;
   void set_checker(Checker checker) { checker_ = std::move(checker); }
-  /// A sentence below the lesson, until another is chosen; "" for none.
+  /// Shows a sentence below the lesson, until another is chosen; "" for none.
   void tell(const QString& words);
 
  public Q_SLOTS:
-  /// Freezes the chosen lesson as it is now: courses and attempts can refer to exactly that.
+  /// Freezes the chosen lesson as it is now, so that courses and attempts can refer to this version.
   void publish();
-  /// The version of the chosen lesson that was published last is no longer offered, or is again.
+  /// Stops offering the last published version of the chosen lesson, or offers it again.
   void retire();
-  /// Asks for a lesson file, or for a place to write one to.
+  /// Asks for the file of a lesson to import, or for a file to export to.
   void ask_import();
   void ask_export();
 
@@ -85,7 +85,7 @@ class LessonsPage : public QWidget {
   QLabel *version_ = nullptr, *note_ = nullptr;
   bool running_ = false;
   SchoolDesk* desk_ = nullptr;
-  std::optional<record::LessonVersion> last_;  // of the chosen lesson
+  std::optional<record::LessonVersion> last_;  // last published version of the chosen lesson
 };
 
 }  // namespace swage::console

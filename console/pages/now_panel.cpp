@@ -14,9 +14,9 @@ namespace swage::console {
 namespace {
 
 constexpr double kTiltAxis_deg = 60;
-constexpr double kTensionHeld_s = 0.25;  // the greatest tension of so long is told: a number that changes with each picture is not read
-constexpr double kSoon_s = 15;  // so long before the limit the time that is left stands out
-constexpr double kShown_N = 8;  // end of the axis where no force is judged
+constexpr double kTensionHeld_s = 0.25;  // interval of the displayed maximum tension, long enough to read the number
+constexpr double kSoon_s = 15;  // remaining time at which it is highlighted
+constexpr double kShown_N = 8;  // end of the force axis without a limit
 
 }  // namespace
 
@@ -51,7 +51,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   show_parts();
 }
 
-// the time, and beside it what unfolds the rules
+// the time, and the button that unfolds the criteria
 QHBoxLayout* NowPanel::make_time(QWidget* parent) {
   auto* row = new QHBoxLayout;
   left_ = new QLabel(parent);
@@ -100,7 +100,7 @@ QWidget* NowPanel::make_readings(QWidget* parent) {
   return box;
 }
 
-// the last ten seconds, or what may be adjusted
+// plots of the last ten seconds, or the parameters to adjust
 QWidget* NowPanel::make_lower() {
   Card card = make_card({}, this);
   auto* tabs = new QHBoxLayout;
@@ -135,10 +135,10 @@ QWidget* NowPanel::make_lower() {
   auto* scroll = new QScrollArea(pages);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // it scrolls by itself: its length is not that of the column
+  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // the list scrolls: its length must not stretch the column
   form_ = new LiveForm(scroll);
   scroll->setWidget(form_);
-  // on the card's own ground
+  // transparent, on the card's background
   scroll->viewport()->setAutoFillBackground(false);
   form_->setAutoFillBackground(false);
   pages->addWidget(scroll);
@@ -172,7 +172,7 @@ void NowPanel::set_advice(const QString& words) {
   show_parts();
 }
 
-/// Before the attempt what is asked, in it the readings; without a lesson neither.
+/// Before the attempt shows the criteria, during it the readings; without a lesson neither.
 void NowPanel::show_parts() {
   const bool asks = !criteria_->text().isEmpty(), unfolded = running_ && rules_->isChecked();
   card_->setVisible(has_scene_);
@@ -182,10 +182,10 @@ void NowPanel::show_parts() {
   advice_->setVisible(running_ && !readings_hidden_ && !advice_->text().isEmpty());
   hidden_->setVisible(readings_hidden_);
   readings_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));
-  lower_->setVisible(has_scene_ && !readings_hidden_ && !unfolded && (running_ || !asks));  // before, what is asked has its room
+  lower_->setVisible(has_scene_ && !readings_hidden_ && !unfolded && (running_ || !asks));  // before the attempt criteria take this room
 }
 
-// In a test the limit ends the attempt; in practice it is told.
+// In a test the time limit ends the attempt; in practice exceeding it is reported.
 void NowPanel::show_time(double time_s) {
   const double left = asked_.max_time_s - time_s;
   const bool soon = asked_.max_time_s > 0 && left <= kSoon_s;
@@ -198,7 +198,7 @@ void NowPanel::show_time(double time_s) {
   left_->setFont(font);
 }
 
-// what the lesson says before anything has been judged
+// the lesson's task, until a phase is known
 void NowPanel::show_task() {
   phase_->setText(task_.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task_);
 }
@@ -229,7 +229,7 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   force_plot_->set_limit(judged ? meter_->limit() : std::nan(""));
   force_plot_->setVisible(reader.has_force());
   tilt_plot_->setVisible(reader.has_tilt());
-  // without anything to plot there is only what may be adjusted
+  // without plots only the parameters are shown
   const bool plots = reader.has_force() || reader.has_tilt();
   if (!plots) tabs_[1]->click();
   if (plots && tabs_[0]->isHidden()) tabs_[0]->click();
@@ -254,11 +254,11 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
   fact.value->setText(!is ? QStringLiteral("–") : *is ? yes : no);
 }
 
-// Beside what the lesson allows, where it says so.
+// Shows the tension beside the lesson's limit, if there is one.
 void NowPanel::show_tension(const Reading& r, double time_s) {
   const QString unit = QStringLiteral("N");
   tension_N_ = std::max(tension_N_, r.tension.value_or(0));
-  const bool again = time_s < tension_since_s_;  // another attempt
+  const bool again = time_s < tension_since_s_;  // a new attempt: its time starts again
   if (r.tension && !again && time_s < tension_since_s_ + kTensionHeld_s && time_s > 0) return;
   const double now = again ? r.tension.value_or(0) : tension_N_, most = asked_.max_tension_N;
   const QString text = quantity_text(now, unit);
@@ -271,11 +271,11 @@ void NowPanel::show_tension(const Reading& r, double time_s) {
 }
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
-  // the phase follows from what has been judged: in a test it would tell that a grasp is right
+  // the phase follows from judged events: in a test it would reveal that a grasp is right
   if (!r.phase.isEmpty() && !readings_hidden_) phase_->setText(said(r.phase));
   show_time(time_s);
   const bool contact = r.force && *r.force > 0;
-  // tissue and tray press on closed jaws, too
+  // tissue and tray exert force on closed jaws, too
   meter_->set_value(contact ? r.force : std::nullopt, !contact || r.held.value_or(true));
   show_fact(spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
   show_fact(tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Right of the Run page: what is happening now, as numbers, and over the last ten seconds.
+// Right side of the Run page: the present readings, as numbers and over the last ten seconds.
 #pragma once
 
 #include <QGridLayout>
@@ -27,12 +27,12 @@ class NowPanel : public QWidget {
   explicit NowPanel(QWidget* parent = nullptr);
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   void set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria);
-  /// What is asked is read before the attempt; during it the time that is left, and on demand what is asked, in a test as well.
+  /// Before the attempt the criteria are shown; during it the remaining time, and on demand the criteria, in a test as well.
   void set_running(bool running);
-  /// In a test the trainee sees neither readings nor phases, which would tell the answers: the task line stays that of the lesson.
+  /// In a test the trainee sees neither readings nor phases, which would reveal answers: the task line stays that of the lesson.
   void set_readings_hidden(bool hidden);
   void show_reading(const Reading& reading, double time_s);
-  /// What to do now besides what the phase asks, as after a drop; "" for nothing. Hidden with the readings.
+  /// Advice beyond the task of the phase, as after a drop; "" for none. Hidden with the readings.
   void set_advice(const QString& words);
   ForceMeter* meter() { return meter_; }
   LiveForm* form() { return form_; }
@@ -45,7 +45,7 @@ class NowPanel : public QWidget {
   void show_parts();
   void show_task();
   void show_tension(const Reading& reading, double time_s);
-  double tension_N_ = 0, tension_since_s_ = 0;  // greatest of the last moments, and since when
+  double tension_N_ = 0, tension_since_s_ = 0;  // maximum of the present interval, and the interval's start
   CueTheme cues_;
   struct Fact {
     QLabel *name, *value;
@@ -55,7 +55,7 @@ class NowPanel : public QWidget {
   Fact spot_, tips_, tilt_, tension_, hold_;
   QLabel *phase_, *advice_, *criteria_, *left_, *hidden_;  // phase_: the lesson's task, then the phase of the attempt
   QString task_;
-  QPushButton* rules_;  // unfolds what is asked while an attempt runs
+  QPushButton* rules_;  // unfolds the criteria during an attempt
   QWidget *card_, *readings_, *lower_;
   Criteria asked_;
   bool has_scene_ = false, running_ = false, readings_hidden_ = false;
@@ -65,7 +65,7 @@ class NowPanel : public QWidget {
                  const QString& no);
   QGridLayout* counts_;
   QVector<QLabel*> count_names_, count_values_;
-  QVector<QPushButton*> tabs_;  // plots, values to adjust
+  QVector<QPushButton*> tabs_;  // plots, parameters to adjust
   TracePlot *force_plot_, *tilt_plot_;
   LiveForm* form_;
 };

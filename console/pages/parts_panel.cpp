@@ -18,7 +18,7 @@ namespace {
 using Kind = LessonPart::Kind;
 using Json = nlohmann::ordered_json;
 
-constexpr double kFarthest_mm = 100;  // a scene is some centimetres wide
+constexpr double kFarthest_mm = 100;  // largest coordinate: a scene is some centimetres wide
 
 int32_t kind_of(Kind kind) {
   return kind == Kind::kObject ? SWAGE_KIND_OBJECT : kind == Kind::kCoupling ? SWAGE_KIND_COUPLING : SWAGE_KIND_DEVICE;
@@ -29,7 +29,7 @@ QString title_of(const host::Catalogue& catalogue, const QString& plugin) {
   return found != nullptr ? said(found->name, found->bundle_dir) : plugin;
 }
 
-/// What a form cannot fill in: texts and files that have no default.
+/// True for plugins with a text or file parameter that has no default, which the form cannot fill in.
 bool needs_words(const host::PluginInfo& plugin) {
   return std::any_of(plugin.params.begin(), plugin.params.end(), [](const host::Param& p) {
     return p.required() && (p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE);
@@ -95,7 +95,7 @@ void PartDialog::add_place() {
     at_ += at;
   }
   auto* label = new QLabel(tr("&Place"), this);
-  label->setBuddy(at_.first());  // else its mnemonic is written out
+  label->setBuddy(at_.first());  // without a buddy the label would show its mnemonic's ampersand
   form_->addRow(label, row);
   follows_ = new QComboBox(this);
   follows_->setObjectName(QStringLiteral("part_follows"));
@@ -160,7 +160,7 @@ PartsPanel::PartsPanel(LessonDraft* draft, const host::Catalogue* catalogue, QWi
   card.body->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& words, const char* key, const char* name, auto&& call) {
-    auto* made = make_button(words, {}, QString::fromLatin1(name), card.frame);  // with its key it would take the room of the values
+    auto* made = make_button(words, {}, QString::fromLatin1(name), card.frame);  // without its key, to leave room for the values
     give_key(made, QString::fromLatin1(key));
     made->setAutoDefault(false);
     connect(made, &QPushButton::clicked, this, call);

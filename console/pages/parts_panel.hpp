@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The parts of a lesson that is edited: its objects, couplings and devices, to which others are added and which are removed.
+// The parts of an edited lesson: its objects, couplings and devices, with buttons to add and remove.
 #pragma once
 
 #include <QComboBox>
@@ -19,12 +19,12 @@ class QFormLayout;
 
 namespace swage::console {
 
-/// Asks what a new part is: its plugin and name; of an object where it stands and what it follows; of a coupling what it binds.
+/// Asks for a new part: its plugin and name; for an object its position and the object that it follows; for a coupling its two objects.
 class PartDialog : public QDialog {
   Q_OBJECT
  public:
   PartDialog(LessonPart::Kind kind, const LessonDraft& draft, const host::Catalogue& catalogue, QWidget* parent);
-  /// As in a lesson file.
+  /// The part as in a lesson file.
   nlohmann::ordered_json part() const;
 
  private:
@@ -56,7 +56,7 @@ class PartsPanel : public QFrame {
   void remove();
 
  Q_SIGNALS:
-  /// What was done besides what was asked, as a sentence; "" for nothing.
+  /// A side effect of the last action, as a sentence; "" for none.
   void told(const QString& words);
 
  private:

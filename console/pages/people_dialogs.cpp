@@ -14,7 +14,7 @@
 namespace swage::console {
 namespace {
 
-/// Cancel and the button that does it.
+/// Adds Cancel and an action button, which is returned.
 QPushButton* add_buttons(QVBoxLayout* column, const QString& words, const char* name, QDialog* dialog) {
   auto* row = new QHBoxLayout;
   auto* cancel = make_button(QObject::tr("Cancel"), QStringLiteral("Esc"), QStringLiteral("cancel"), dialog);
@@ -199,7 +199,7 @@ AssignDialog::AssignDialog(const QVector<QPair<QString, QString>>& courses, int 
   due_->setObjectName(QStringLiteral("assign_due"));
   due_->setAccessibleName(tr("Until"));
   due_->setCalendarPopup(true);
-  due_->setDisplayFormat(tr("d MMM yyyy"));  // as dates are everywhere
+  due_->setDisplayFormat(tr("d MMM yyyy"));  // the format of all dates
   due_->setEnabled(false);
   connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
   row->addWidget(has_due_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Forms of the People page: one person, a pasted list with its preview, and the last question before somebody is erased.
+// Dialogs of the People page: one person, a pasted list with its preview, and the confirmation before a person is erased.
 #pragma once
 
 #include <QCheckBox>
@@ -20,7 +20,7 @@ namespace swage::console {
 class PersonDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `is_new`: the code can still be chosen. `known`: names that are taken.
+  /// `is_new`: the code can still be chosen. `known`: names already in use.
   PersonDialog(const RosterLine& person, bool is_new, const QStringList& groups, const QStringList& known, QWidget* parent);
   RosterLine person() const;
 
@@ -37,7 +37,7 @@ class RosterDialog : public QDialog {
   Q_OBJECT
  public:
   RosterDialog(const QStringList& known, QWidget* parent);
-  /// The whole list; those that are new are to be added.
+  /// The whole list, of which the new people are to be added.
   const QVector<RosterLine>& lines() const { return lines_; }
   void set_text(const QString& text) { text_->setPlainText(text); }
 
@@ -52,13 +52,13 @@ class RosterDialog : public QDialog {
   QPushButton* add_;
 };
 
-/// A course for the chosen people or for a group.
+/// Assigns a course to the chosen people or to a group.
 class AssignDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `courses`: title and id. `group`: name of the group that may be chosen instead; "" for none.
+  /// `courses`: title and id. `group`: name of a group that may be chosen instead; "" for none.
   AssignDialog(const QVector<QPair<QString, QString>>& courses, int people, const QString& group, QWidget* parent);
-  QString course() const { return course_->currentData().toString(); }  // id; "": what was assigned is taken back
+  QString course() const { return course_->currentData().toString(); }  // id; "": removes the assignment
   bool to_group() const { return whom_->currentIndex() == 1; }
   QString due() const;  // "" or 2030-01-31
 
@@ -71,7 +71,7 @@ class AssignDialog : public QDialog {
 class EraseDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `files`: in which something of this person will stay.
+  /// `files`: files that will still contain data of this person.
   EraseDialog(const QString& name, int attempts, const QStringList& files, QWidget* parent);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the People page changes: forms and questions, and then the desk.
+// The edits of the People page: dialogs and confirmations, whose results go to the desk.
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLocale>
@@ -69,7 +69,7 @@ void PeoplePage::add_person() {
 void PeoplePage::add_list() {
   RosterDialog dialog(people_->names(), this);
   if (dialog.exec() != QDialog::Accepted || !desk_->add_people(dialog.lines())) return;
-  // where they are: those who need attention stand above them
+  // selects the first new person, who may be listed far below those who need attention
   for (const RosterLine& line : dialog.lines())
     if (line.is == RosterLine::Is::kNew) return select_person(line.name);
 }
@@ -103,7 +103,7 @@ void PeoplePage::erase_person() {
   if (dialog.exec() == QDialog::Accepted) desk_->erase_person(QString::fromStdString(p.id));
 }
 
-// Title of the course by person, their own first, then that of their group.
+// Title of the course by person: the person's own, else that of their group.
 QHash<QString, QString> PeoplePage::courses_of(const std::vector<record::Person>& people) {
   QHash<QString, QString> out;
   record::School* school = desk_->school();
@@ -198,7 +198,7 @@ QString PeoplePage::write_report_to(const QString& file) {
                       file);
 }
 
-// of the chosen person; "": at all lessons
+// of the chosen person; lesson_id "": at all lessons
 std::vector<record::Exported> PeoplePage::exported(const std::string& lesson_id) {
   std::vector<record::Exported> out;
   std::string error;

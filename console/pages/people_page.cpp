@@ -14,7 +14,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kWatch_ms = 2000;  // what others have written appears that soon; a look costs under a millisecond
+constexpr int kWatch_ms = 2000;  // interval at which changes by other programs are looked for; a query takes less than a millisecond
 
 }  // namespace
 
@@ -34,7 +34,7 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
   splitter->addWidget(person_);
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
-  splitter->setSizes({300, 400});  // seven people and a curve on a screen of 800 lines
+  splitter->setSizes({300, 400});  // seven people and a chart on a screen of 800 lines
   stack_->addWidget(splitter);
   stack_->addWidget(make_empty());
   row->addWidget(stack_);
@@ -57,7 +57,7 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
   connect(person_, &PersonPanel::give_attempt, this, &PeoplePage::give_attempt);
 }
 
-// what other programs and stations have written; nothing is asked while nobody looks
+// looks for changes by other programs and stations, while the page is visible
 void PeoplePage::look() {
   if (isVisible() && link_->changed()) refresh();
 }
@@ -87,21 +87,10 @@ QWidget* PeoplePage::make_people() {
   problem_->setObjectName(QStringLiteral("people_problem"));
   problem_->hide();
   card.body->addWidget(problem_);
-  table_ = new QTableView(card.frame);
-  table_->setObjectName(QStringLiteral("people"));
-  table_->setAccessibleName(tr("People"));
-  table_->setModel(sorted_);
+  table_ = make_row_table(sorted_, tr("People"), QStringLiteral("people"), card.frame);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setSortingEnabled(true);
   table_->sortByColumn(PeopleModel::kAttention, Qt::DescendingOrder);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(28);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(PeopleModel::kAttention, QHeaderView::Stretch);
   table_->setToolTip(tr("Enter shows this person's attempts"));
   card.body->addWidget(table_, 1);
@@ -179,7 +168,7 @@ void PeoplePage::refresh() {
   show_chosen();
 }
 
-// of those who are listed
+// of the listed people
 void PeoplePage::show_count() {
   const int all = people_->rowCount(), listed = sorted_->rowCount();
   QString words = all == 1 ? tr("1 person") : tr("%1 people").arg(all);
@@ -199,7 +188,7 @@ std::vector<std::string> PeoplePage::all_chosen() const {
   return out;
 }
 
-// with their metrics; nothing of anybody else is read
+// with their metrics; those of other people are not read
 std::vector<record::AttemptRow> PeoplePage::attempts_of(const std::vector<std::string>& people, const std::string& lesson) {
   std::vector<record::AttemptRow> out;
   const std::shared_ptr<record::Store> store = link_->store();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The People page: everybody, those who need attention first, and below one of them. What is changed goes through the desk.
+// The People page: all people, those who need attention first, and below the selected one. Changes go through the desk.
 #pragma once
 
 #include <QComboBox>
@@ -26,7 +26,7 @@ class PeoplePage : public QWidget {
  public:
   /// Both outlive the page.
   PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent = nullptr);
-  /// How attempts are read for an export.
+  /// Sets the reader of attempts for exports.
   void set_export(ExportReader reader) { exported_ = std::move(reader); }
   void set_theme(const UiTheme& theme) { person_->set_theme(theme); }
   PeopleModel* people() { return people_; }
@@ -35,24 +35,24 @@ class PeoplePage : public QWidget {
   MetricChart* chart() { return person_->chart(); }
 
  public Q_SLOTS:
-  /// Reads the store again; keeps the person and the lesson when they are still there.
+  /// Reads the store again; keeps the selected person and lesson if they still exist.
   void refresh();
   void select_person(const QString& name);
-  /// The keyboard goes to the table of people: Enter shows the attempts of one.
+  /// Moves the focus to the table of people, where Enter shows the attempts of one.
   void focus_people() { table_->setFocus(); }
   void add_person();
   void add_list();
   void change_person();
   void erase_person();
   void export_person();
-  /// One page about the chosen person and lesson. "" or what went wrong.
+  /// Writes a report on the selected person and lesson. Returns "" or the error.
   QString write_report_to(const QString& file);
-  /// All attempts of the chosen person as a table. "" or what went wrong.
+  /// Writes all attempts of the selected person as a table. Returns "" or the error.
   QString write_attempts_to(const QString& file);
   void report_person();
   void void_attempt();
   void give_attempt();
-  /// Gives the chosen people, or a group, a course.
+  /// Assigns a course to the selected people or a group.
   void assign_course();
 
  Q_SIGNALS:
@@ -69,7 +69,7 @@ class PeoplePage : public QWidget {
   void show_empty(const QString& words);
   void show_count();
   void show_chosen();
-  QString chosen() const;  // id of a person, "" for none
+  QString chosen() const;  // id of the selected person, "" for none
   std::vector<std::string> all_chosen() const;
   std::vector<record::AttemptRow> attempts_of(const std::vector<std::string>& people, const std::string& lesson);
   const std::vector<record::AttemptRow>& experts_at(const std::string& lesson, const std::vector<std::string>& experts);
@@ -81,19 +81,19 @@ class PeoplePage : public QWidget {
   ExportReader exported_;
   StoreLink* link_;
   SchoolDesk* desk_;
-  QTimer watch_;  // what other programs write
+  QTimer watch_;  // polls for changes by other programs
   PeopleModel* people_;
   QSortFilterProxyModel* sorted_;
-  std::vector<record::AttemptRow> of_experts_;  // at one lesson, read when they are first asked for
+  std::vector<record::AttemptRow> of_experts_;  // at one lesson, read on first use
   std::string lesson_read_;
-  bool filling_ = false;  // rows come and go; the person is shown once at the end
+  bool filling_ = false;  // while true, changes of rows do not update the panel; it is updated once at the end
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   PersonPanel* person_ = nullptr;
   QLabel *empty_ = nullptr, *count_ = nullptr, *problem_ = nullptr;
   QComboBox* group_ = nullptr;
   QHash<QString, QString> groups_;  // name by id
-  QVector<QPushButton*> of_person_;  // what needs one
+  QVector<QPushButton*> of_person_;  // buttons that need a selected person
 };
 
 }  // namespace swage::console

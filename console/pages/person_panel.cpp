@@ -89,7 +89,7 @@ QWidget* PersonPanel::make_curve() {
   return box;
 }
 
-// the lesson that is chosen, or the only one there is
+// the selected lesson, or the only one
 std::string PersonPanel::only_lesson() const {
   std::string lesson = lesson_->currentData().toString().toStdString();
   for (const record::AttemptRow& a : attempts_->attempts()) {
@@ -114,22 +114,10 @@ void PersonPanel::show_bars() {
 
 QWidget* PersonPanel::make_attempts() {
   Card list = make_card({}, this);
-  table_ = new QTableView(list.frame);
-  table_->setObjectName(QStringLiteral("attempts"));
-  table_->setAccessibleName(tr("Attempts"));
-  table_->setModel(sorted_);
+  table_ = make_row_table(sorted_, tr("Attempts"), QStringLiteral("attempts"), list.frame);
   table_->setSortingEnabled(true);
   table_->sortByColumn(AttemptsModel::kWhen, Qt::DescendingOrder);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(28);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(AttemptsModel::kReason, QHeaderView::Stretch);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setToolTip(tr("Enter or a double click opens the attempt"));
   list.body->addWidget(table_, 1);
   review_ =
@@ -159,7 +147,7 @@ QWidget* PersonPanel::make_attempts() {
   return list.frame;
 }
 
-// what the buttons below the attempts are for
+// selects the newest attempt for the buttons below
 void PersonPanel::choose_newest() {
   if (tabs_->currentIndex() == 1 && !table_->selectionModel()->hasSelection()) table_->selectRow(0);
 }
@@ -189,7 +177,7 @@ void PersonPanel::review_current() {
   if (const QString id = chosen_attempt(); !id.isEmpty()) Q_EMIT review(id);
 }
 
-// Asked only while it is seen: a lesson is opened for that. A target is of one lesson; attempts of several have several.
+// Opens the lesson for target and formula, so only while the panel is visible. A target is of one lesson; several lessons have several.
 void PersonPanel::ask_lesson(MetricSeries& series) const {
   if (!finder_ || !isVisible()) return;
   const std::string id = series.id.toStdString();
@@ -229,7 +217,7 @@ void PersonPanel::focus_attempts() {
   table_->setFocus();
 }
 
-// a lesson is only asked while somebody looks
+// the lesson is read only while the panel is visible
 void PersonPanel::showEvent(QShowEvent*) { show_metric(); }
 
 void PersonPanel::show_person(const QString& name, std::vector<record::AttemptRow> attempts) {
@@ -244,7 +232,7 @@ void PersonPanel::show_person(const QString& name, std::vector<record::AttemptRo
   choose_newest();
 }
 
-// the lessons that this person has done, the newest first
+// the lessons of this person's attempts, newest first
 void PersonPanel::fill_lessons() {
   const bool same = lesson_->count() > 0 && shown_id_ == (all_.empty() ? std::string() : all_.front().person_id);
   const QString before = lesson_->currentData().toString();
@@ -257,7 +245,7 @@ void PersonPanel::fill_lessons() {
     if (lesson_->findData(id) < 0)
       lesson_->addItem(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), id);
   }
-  // of somebody else the newest lesson is looked at first; several together have no curve
+  // for another person the newest lesson is selected, as all lessons together have no learning curve
   const int at = lesson_->findData(before), newest = lesson_->count() > 1 ? 1 : 0;
   lesson_->setCurrentIndex(same && at >= 0 ? at : newest);
 }
@@ -274,7 +262,7 @@ void PersonPanel::show_attempts() {
   }
   attempts_->set_attempts(shown);
   update_buttons();
-  // the same count as in the table of people: what is listed below and does not count is said
+  // listed attempts that do not count are mentioned, so that the count agrees with the table of people
   const int others = static_cast<int>(shown.size()) - counted;
   summary_->setText(tr("%1 of %2 attempts passed").arg(met).arg(counted) + (others > 0 ? tr(", %1 more not counted").arg(others) : QString()));
   summary_->setToolTip(tr("Counted is what a person finished. Recorded hands, void attempts and those that were stopped count for nobody."));

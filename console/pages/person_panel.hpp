@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// One person: a metric over the attempts with its curve, the latest values against the experts, and the attempts themselves.
+// One person: a metric over the attempts with its learning curve, the latest values beside the experts', and the attempts themselves.
 #pragma once
 
 #include <QComboBox>
@@ -25,31 +25,31 @@ class PersonPanel : public QWidget {
  public:
   explicit PersonPanel(QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme);
-  /// `attempts`: of this person, newest first. What was chosen stays chosen where it is still there.
+  /// `attempts`: of this person, newest first. The selection is kept where possible.
   void show_person(const QString& name, std::vector<record::AttemptRow> attempts);
-  /// Attempts of everybody who is chosen, newest first: the group's figure is drawn of them. Asked only while it is seen.
+  /// Attempts of all selected people, newest first, for the group figure. Called only while it is visible.
   using GroupFinder = std::function<std::vector<record::AttemptRow>(const std::string& lesson_id)>;
   void set_group_finder(GroupFinder finder) { group_ = std::move(finder); }
   void show_group();
   GroupPlot* group() { return group_plot_; }
   AttemptsModel* attempts() { return attempts_; }
   MetricChart* chart() { return chart_; }
-  /// What a lesson says about a metric: which way it is better, and what is asked.
+  /// Direction and target of a metric in a lesson.
   using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
   void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
   void set_expert_finder(ExpertFinder experts) { experts_ = std::move(experts); }
   BandBars* bars() { return bars_; }
   QString lesson_title() const { return lesson_->currentText(); }
-  /// The keyboard goes to the attempts, the newest chosen: Enter reviews it.
+  /// Moves the focus to the attempts and selects the newest: Enter reviews it.
   void focus_attempts();
   QString chosen_attempt() const;  // id; "" for none
   const record::AttemptRow* chosen_row() const;
 
  Q_SIGNALS:
   void review(const QString& attempt_id);
-  /// An attempt out of a file is wanted.
+  /// An attempt from a file is to be opened.
   void open_file();
-  /// About the chosen attempt.
+  /// The selected attempt is to be made void or valid.
   void void_attempt();
   void give_attempt();
 
@@ -79,7 +79,7 @@ class PersonPanel : public QWidget {
   AttemptsModel* attempts_;
   QSortFilterProxyModel* sorted_;
   std::vector<record::AttemptRow> all_;
-  std::string shown_id_;  // of the person
+  std::string shown_id_;  // id of the shown person
   QLabel *name_ = nullptr, *summary_ = nullptr, *curve_ = nullptr;
   QComboBox *lesson_ = nullptr, *metric_ = nullptr;
   QTabWidget* tabs_ = nullptr;

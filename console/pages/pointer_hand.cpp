@@ -11,7 +11,7 @@
 namespace swage::console {
 namespace {
 
-// the live parameter of a device led by the pointer that is told about which circle it turns a needle
+// the live parameter of a pointer device for the centre of the circle along which it rotates a needle
 constexpr char kCircleCentre[] = "circle_centre";
 
 bool is_pointer(const snapshot::CardDevice& device) { return (device.flags & SWAGE_DEVICE_POINTER) != 0; }

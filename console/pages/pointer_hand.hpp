@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The hand of an attempt that the pointer leads, where its device is the mouse. [main]
+// The device of an attempt that is driven by the pointer, if that is the mouse. [main]
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ class PointerHand {
  public:
   /// Both outlive it.
   PointerHand(RunControl* control, const host::Catalogue& catalogue) : control_(control), catalogue_(catalogue) {}
-  /// There is one in the attempt that runs, or ran last.
+  /// True when the running or the last attempt has such a device.
   bool is_led() const;
-  /// About which circle it turns a needle; nothing: there is none at its tips. Goes as a change of its parameters: so it is recorded,
-  /// and replayed. `mirrored_lesson`: the hand moves in the mirror image of what is shown.
+  /// Sets the circle along which it rotates a needle; no value: no needle at its tips. Sent as a parameter change, so that it is recorded
+  /// and replayed. `mirrored_lesson`: the scene is displayed as the mirror image of the computed one.
   void turn_about(const std::optional<NeedleCircle>& circle, bool mirrored_lesson);
 
  private:

@@ -11,7 +11,7 @@
 namespace swage::console {
 namespace {
 
-/// A turn of the wheel over it scrolls the panel and rates nothing.
+/// Ignores the mouse wheel, which scrolls the panel instead of changing a rating.
 class PointsBox : public QComboBox {
  public:
   using QComboBox::QComboBox;
@@ -69,7 +69,7 @@ void RatingPanel::make(const QVector<RatedScale>& scales) {
   column_->addStretch(1);
 }
 
-// Scales of which the attempt decides something come first, then those that the instructor has used.
+// Scales with items decided by the attempt come first, then those with the instructor's points.
 void RatingPanel::order(QVector<RatedScale> scales) {
   std::stable_sort(scales.begin(), scales.end(), [](const RatedScale& a, const RatedScale& b) {
     return std::pair(a.decided > 0, a.given > 0) > std::pair(b.decided > 0, b.given > 0);
@@ -110,7 +110,7 @@ void RatingPanel::make_item(const RatedScale& scale, const RatedItem& item, QGri
 
 void RatingPanel::set_scales(const QString& attempt, const QVector<RatedScale>& scales, bool editable) {
   if (lines_.isEmpty()) make(scales);
-  // an attempt that is looked at keeps its order while it is rated
+  // the order is kept while an attempt is being rated
   if (attempt != attempt_) order(scales);
   attempt_ = attempt;
   for (const RatedScale& scale : scales) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The rating scales of surgeons for one attempt: each item as the metrics decide it, and the instructor's own points beside it.
+// The rating scales of surgeons for one attempt: each item with its computed points, and the instructor's own beside them.
 #pragma once
 
 #include <QComboBox>
@@ -18,15 +18,15 @@ class RatingPanel : public QScrollArea {
   Q_OBJECT
  public:
   explicit RatingPanel(QWidget* parent = nullptr);
-  /// `editable`: the instructor's points can be kept, as with an attempt of the store.
+  /// `editable`: the instructor's points can be stored, as for an attempt of the store.
   void set_scales(const QString& attempt, const QVector<RatedScale>& scales, bool editable);
 
  Q_SIGNALS:
-  /// The instructor chose points for an item, or took them back.
+  /// The instructor chose points for an item, or removed them.
   void rated(const QString& item_id, std::optional<double> points);
 
  private:
-  /// The labels and the box of an item; they stay while other attempts are shown, as all attempts have the same scales.
+  /// The labels and the box of an item; they are kept for all attempts, which have the same scales.
   struct Line {
     QLabel* computed = nullptr;
     QComboBox* given = nullptr;
@@ -38,7 +38,7 @@ class RatingPanel : public QScrollArea {
   QVBoxLayout* column_ = nullptr;
   QString attempt_;
   QHash<QString, QWidget*> boxes_;            // by scale
-  QHash<QString, QLabel*> computed_, given_;  // of a scale: its sentences
+  QHash<QString, QLabel*> computed_, given_;  // by scale: its sentences
   QHash<QString, Line> lines_;                // by item
 };
 

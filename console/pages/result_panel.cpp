@@ -21,77 +21,105 @@ QString reason_text(const std::string& reason, const judge::Script& script) {
   return said_id(reason);
 }
 
+namespace {
+
+QGridLayout* make_numbers() {
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(0, 1);
+  grid->setVerticalSpacing(5);
+  return grid;
+}
+
+}  // namespace
+
 ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("result"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  Card card = make_card(tr("Result"), this);
+  const Card card = make_card(tr("Result"), this);
+  column->addWidget(card.frame);
+  add_outcome(card);
+  add_points(card);
+  const QList<QPushButton*> buttons = add_buttons(card);
+  add_more(card);
+  add_criteria(card);
+  card.body->addStretch(1);
+  // in the order in which they stand
+  const QList<QPushButton*> order = buttons + QList<QPushButton*>{more_button_};
+  for (int i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
+}
+
+void ResultPanel::add_outcome(const Card& card) {
   outcome_ = new QLabel(card.frame);
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setProperty("big", true);
   reason_ = new QLabel(card.frame);
   reason_->setWordWrap(true);
-  const auto grid = [] {
-    auto* made = new QGridLayout;
-    made->setColumnStretch(0, 1);
-    made->setVerticalSpacing(5);
-    return made;
-  };
-  metrics_ = grid();
-  points_ = grid();
+  metrics_ = make_numbers();
+  card.body->addWidget(outcome_);
+  card.body->addWidget(reason_);
+  card.body->addSpacing(4);
+  card.body->addLayout(metrics_);
+}
+
+void ResultPanel::add_points(const Card& card) {
+  points_ = make_numbers();
   points_heading_ = make_heading(tr("Points lost"), card.frame);
+  kept_ = make_muted({}, card.frame);
+  kept_->setObjectName(QStringLiteral("kept"));
+  problems_ = make_muted({}, card.frame);
+  card.body->addWidget(points_heading_);
+  card.body->addLayout(points_);
+  card.body->addWidget(kept_);
+  card.body->addWidget(problems_);
+}
+
+// What can be done next, in the order of the keyboard.
+QList<QPushButton*> ResultPanel::add_buttons(const Card& card) {
+  const auto make = [&card](const QString& words, const char* key, const char* name) {
+    QPushButton* button = make_button(words, {}, QLatin1String(name), card.frame);
+    button->setText(words + QLatin1Char('\n') + key_text(QLatin1String(key)));
+    return button;
+  };
+  auto* again = make(tr("Again"), "F5", "again");
+  review_ = make(tr("Review"), "Ctrl+R", "to_review");
+  next_ = make(tr("Next lesson"), "Ctrl+Right", "next_lesson");
+  auto* progress = make(tr("Progress"), "Ctrl+P", "to_progress");
+  again->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Again"), key_text(QStringLiteral("F5"))));  // a key of the window
+  give_key(review_, QStringLiteral("Ctrl+R"));
+  give_key(next_, QStringLiteral("Ctrl+Right"));
+  give_key(progress, QStringLiteral("Ctrl+P"));
+  connect(again, &QPushButton::clicked, this, &ResultPanel::again);
+  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
+  connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
+  connect(progress, &QPushButton::clicked, this, &ResultPanel::progress);
+  auto* grid = new QGridLayout;
+  const QList<QPushButton*> all = {again, review_, next_, progress};
+  for (int i = 0; i < all.size(); ++i) grid->addWidget(all[i], i / 2, i % 2);
+  card.body->addLayout(grid);
+  return all;
+}
+
+void ResultPanel::add_more(const Card& card) {
   more_box_ = new QWidget(card.frame);
-  more_ = grid();
+  more_ = make_numbers();
   more_->setContentsMargins(0, 0, 0, 0);
   more_box_->setLayout(more_);
   more_box_->hide();
   more_button_ = make_button(tr("All numbers"), {}, QStringLiteral("all_numbers"), card.frame);
   more_button_->setCheckable(true);
   connect(more_button_, &QPushButton::toggled, more_box_, &QWidget::setVisible);
-  kept_ = make_muted({}, card.frame);
-  kept_->setObjectName(QStringLiteral("kept"));
-  problems_ = make_muted({}, card.frame);
-  card.body->addWidget(outcome_);
-  card.body->addWidget(reason_);
-  card.body->addSpacing(4);
-  card.body->addLayout(metrics_);
-  card.body->addWidget(points_heading_);
-  card.body->addLayout(points_);
-  card.body->addWidget(kept_);
-  card.body->addWidget(problems_);
-  auto* buttons = new QGridLayout;
-  review_ = make_button(tr("Review"), {}, QStringLiteral("to_review"), card.frame);
-  auto* again = make_button(tr("Again"), QStringLiteral("F5"), QStringLiteral("again"), card.frame);
-  next_ = make_button(tr("Next lesson"), {}, QStringLiteral("next_lesson"), card.frame);
-  auto* progress = make_button(tr("Progress"), {}, QStringLiteral("to_progress"), card.frame);
-  buttons->addWidget(again, 0, 0);
-  buttons->addWidget(review_, 0, 1);
-  buttons->addWidget(next_, 1, 0);
-  buttons->addWidget(progress, 1, 1);
-  card.body->addLayout(buttons);
   card.body->addWidget(more_button_);
   card.body->addWidget(more_box_);
+}
+
+void ResultPanel::add_criteria(const Card& card) {
   criteria_ = new QLabel(card.frame);
   criteria_->setObjectName(QStringLiteral("result_criteria"));
   criteria_->setWordWrap(true);
   criteria_->setTextFormat(Qt::RichText);
   criteria_->hide();
   card.body->addWidget(criteria_);
-  card.body->addStretch(1);
-  column->addWidget(card.frame);
-  const std::pair<QPushButton*, const char*> keys[] = {{review_, "Ctrl+R"}, {next_, "Ctrl+Right"}, {progress, "Ctrl+P"}};
-  for (const auto& [button, key] : keys) {
-    give_key(button, QString::fromLatin1(key));
-    button->setText(button->text() + QLatin1Char('\n') + key_text(QString::fromLatin1(key)));
-  }
-  again->setText(tr("Again") + QLatin1Char('\n') + key_text(QStringLiteral("F5")));
-  // in the order in which they stand
-  const QList<QWidget*> order = {again, review_, next_, progress, more_button_};
-  for (int i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
-  connect(again, &QPushButton::clicked, this, &ResultPanel::again);
-  connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
-  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
-  connect(progress, &QPushButton::clicked, this, &ResultPanel::progress);
 }
 
 void ResultPanel::set_criteria(const Criteria& asked) {

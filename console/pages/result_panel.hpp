@@ -8,6 +8,7 @@
 
 #include "console/cues/ui_theme.hpp"
 #include "console/models/lesson_facts.hpp"
+#include "console/widgets/parts.hpp"
 #include "session/session.hpp"
 
 namespace swage::console {
@@ -37,6 +38,11 @@ class ResultPanel : public QWidget {
   void progress();
 
  private:
+  void add_outcome(const Card& card);
+  void add_points(const Card& card);
+  QList<QPushButton*> add_buttons(const Card& card);
+  void add_more(const Card& card);
+  void add_criteria(const Card& card);
   void clear();
   void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
   void add_metrics(const session::Result& result, const snapshot::SceneCard& card);

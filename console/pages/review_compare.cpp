@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the Review page does beyond one look at one attempt: its worst moments, and another attempt beside it.
+// Functions of the Review page beyond playback: worst moments, and comparison with another attempt.
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QListWidget>
@@ -14,7 +14,7 @@
 namespace swage::console {
 namespace {
 
-/// Attempts of one lesson, with a search; what is chosen is compared.
+/// Attempts of one lesson, with a search, to choose one for comparison.
 class AttemptChooser : public QDialog {
  public:
   AttemptChooser(const std::vector<record::AttemptRow>& attempts, const std::string& but, QWidget* parent) : QDialog(parent) {
@@ -105,7 +105,7 @@ void ReviewPage::to_next_worst() {
   worst_shown_ = true;
 }
 
-// an instructor's debriefing: there, again and again
+// for a debriefing: plays the worst moment in a loop
 void ReviewPage::loop_worst(int row) {
   to_worst(row);
   loop_->setChecked(false);
@@ -153,7 +153,7 @@ void ReviewPage::show_comparison() {
   go(wanted_s_);
 }
 
-// The other attempt's instruments in this one's picture, on the same clock.
+// Shows the other attempt's instruments in this one's picture, on the shifted clock.
 void ReviewPage::set_ghost() {
   const bool wanted = player_ && comparing() && other_->ghost_wanted();
   view_->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());

@@ -17,9 +17,9 @@
 namespace swage::console {
 namespace {
 
-constexpr int kTick_ms = 33;  // 30 pictures a second are enough to look at
+constexpr int kTick_ms = 33;  // 30 pictures a second suffice for playback
 constexpr uint64_t kMostSteps =
-    300;  // of work between two pictures: the window stays awake on a slow machine
+    300;  // steps computed between two pictures: the window stays responsive on a slow machine
 
 }  // namespace
 
@@ -57,8 +57,8 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   offer_picture(timeline_, QStringLiteral("traces"));
 }
 
-// Where the eyes are, and in the tables beside: keys of one letter. On a button Space presses the button, in the list of traces it
-// ticks one.
+// Single-letter keys, active over the picture and in the tables beside it. On a button Space presses the button, in the list of traces it
+// toggles one.
 void ReviewPage::add_keys() {
   const auto key = [this](const QString& text, Qt::Key k, auto call) {
     auto* action = new QAction(text, this);
@@ -75,7 +75,7 @@ void ReviewPage::add_keys() {
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
   key(tr("Next worst moment"), Qt::Key_W, [this] { to_next_worst(); });
   key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
-  // the timeline has these two itself
+  // the timeline handles these two itself
   timeline_->removeAction(key(tr("Next event"), Qt::Key_Period, [this] { timeline_->go_to_moment(+1); }));
   timeline_->removeAction(key(tr("Event before"), Qt::Key_Comma, [this] { timeline_->go_to_moment(-1); }));
   key(tr("Ghost"), Qt::Key_G, [this] {
@@ -84,12 +84,12 @@ void ReviewPage::add_keys() {
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
 }
 
-// Not by a focus proxy: on the way forward Tab would stop at the page, go on to the timeline and pass by all that lies between.
+// No focus proxy: with one, Tab would stop at the page, go to the timeline next and skip all widgets between.
 void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
 
-// the views go below play and speed where one row would leave the tables too little width, as on a small screen or in German
+// the views go below play and speed where one row would make the tables too narrow, as on a small screen or in German
 void ReviewPage::resizeEvent(QResizeEvent* event) {
-  constexpr double kShare = 0.68;  // of the page's width; a larger one narrows the names of metrics, a smaller one flattens the picture
+  constexpr double kShare = 0.68;  // of the page's width; with more the names of metrics are cut off, with less the picture is too low
   const int one_row = transport_->itemAt(0)->sizeHint().width() + transport_->spacing() + transport_->itemAt(1)->sizeHint().width();
   const QMargins margins = layout()->contentsMargins();
   const bool narrow = one_row > kShare * (width() - margins.left() - margins.right() - 12);
@@ -97,10 +97,10 @@ void ReviewPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-// the player looks at the recording
+// the player refers to the recording
 ReviewPage::~ReviewPage() { player_.reset(); }
 
-// what there is to do while no attempt is open
+// the page without an attempt: how to open one
 QWidget* ReviewPage::make_empty() {
   auto* box = new QWidget(pages_);
   auto* column = new QVBoxLayout(box);
@@ -140,7 +140,7 @@ QWidget* ReviewPage::make_head() {
   headline_->setFont(font);
   verdict_ = new ElidedLabel(box);
   verdict_->setObjectName(QStringLiteral("review_verdict"));
-  // one below the other: beside the buttons a small window has no room for both
+  // one below the other: a small window has no room for both beside the buttons
   auto* words = new QVBoxLayout;
   words->setSpacing(0);
   words->addWidget(headline_);
@@ -175,7 +175,7 @@ QWidget* ReviewPage::make_view() {
   pictures_->setSpacing(8);
   pictures_->addWidget(view_, 1);
   column->addLayout(pictures_, 1);
-  // one line, the whole as its tip: a sentence that wraps would make the page taller than the window
+  // one line with the whole text as tooltip: a wrapped sentence would make the page taller than the window
   note_ = new ElidedLabel(box);
   note_->setProperty("muted", true);
   note_->setObjectName(QStringLiteral("review_note"));
@@ -237,7 +237,7 @@ bool ReviewPage::open_file(const QString& file) {
               });
 }
 
-// by its id, or by a beginning that only one attempt has
+// by its id, or by a unique prefix of it
 bool ReviewPage::find_attempt(const std::string& id, record::AttemptRow& out) {
   if (store_->attempt(id, out)) return true;
   std::string found;
@@ -279,7 +279,7 @@ bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) 
 }
 
 void ReviewPage::set_loop(bool on) {
-  constexpr double kAround_s = 1;  // enough to see what led to a moment and what came of it
+  constexpr double kAround_s = 1;  // shows the cause of a moment and its consequence
   loop_from_s_ = on ? std::max(0.0, wanted_s_ - kAround_s) : 0;
   loop_to_s_ = on ? std::min(review_.length_s, wanted_s_ + kAround_s) : 0;
   timeline_->set_loop(loop_from_s_, loop_to_s_);
@@ -328,16 +328,16 @@ void ReviewPage::toggle_play() {
   go(wanted_s_);
 }
 
-// moves the cursor while playing, and the scene towards the cursor; rests when both are there
+// advances the cursor during playback, and the scene towards the cursor; stops when the scene has reached a resting cursor
 void ReviewPage::tick() {
   if (playing_) {
-    // in nanoseconds: whole milliseconds would lose half of one at every picture, nearly a second in a minute
+    // in nanoseconds: whole milliseconds would lose half of one per picture, nearly a second in a minute
     const double on = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 * speed_->currentData().toDouble();
     clock_.start();
     const double before = wanted_s_;
     wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
     if (loop_to_s_ > loop_from_s_ && (wanted_s_ >= loop_to_s_ || wanted_s_ < loop_from_s_)) wanted_s_ = loop_from_s_;
-    // a machine that cannot keep up plays slower, and skips nothing; after a jump the cursor waits for the picture
+    // a slow machine plays more slowly but skips nothing; after a jump the cursor waits for the picture
     if (player_) {
       const double reach = static_cast<double>(player_->at() + kMostSteps) * review_.dt_s;
       if (wanted_s_ > reach) wanted_s_ = std::max(reach, std::min(before, wanted_s_));
@@ -365,7 +365,7 @@ void ReviewPage::show_player() {
   view_->set_hold(reading.hold.value_or(0));
   legend_->set_active(reading.meanings);
   QString clock = clock_text(snapshot_->time_s);
-  // a far jump takes seconds to compute
+  // a large jump takes seconds to compute
   constexpr double kBehind_s = 1;
   if (std::abs(wanted_s_ - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s_));
   view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Review page: what happened in one attempt. The picture, the traces and the events follow one cursor.
+// The Review page: playback of one attempt. Picture, traces and events follow one cursor.
 #pragma once
 
 #include <QBoxLayout>
@@ -42,14 +42,14 @@ class ReviewPage : public QWidget {
   ~ReviewPage() override;
   void set_themes(const UiTheme& ui, const CueTheme& cues);
 
-  /// Shows an attempt of the store. False: the page says why.
+  /// Shows an attempt of the store. On failure false, and the page shows the reason.
   bool open(std::shared_ptr<record::Store> store, const QString& attempt_id);
-  /// The same out of a file that holds one.
+  /// Sets the functions that open a file with an attempt, and read it.
   void set_file_services(FileOpener open, FileReader read);
-  /// How an attempt is read for an export.
+  /// Sets the reader of attempts for exports.
   void set_export(ExportReader reader) { exported_ = std::move(reader); }
   bool open_file(const QString& file);
-  /// Writes the attempt as the file's ending says: .swage (everything), .csv (signals), or the summary. "" or what went wrong.
+  /// Writes the attempt in the format of the extension: .swage (everything), .csv (signals), or the summary. Returns "" or the error.
   QString write_swage(const QString& file);
   QString write_signals(const QString& file);
   QString write_summary(const QString& file);
@@ -59,30 +59,30 @@ class ReviewPage : public QWidget {
   SceneView* view() { return view_; }
   const Player* player() const { return player_.get(); }
   bool playing() const { return playing_; }
-  /// Through which notes are kept; without it none can be made. It outlives the page.
+  /// Sets the desk for notes; without it none can be made. It outlives the page.
   void set_desk(SchoolDesk* desk);
-  /// Writes a note at the cursor.
+  /// Adds a note at the cursor.
   bool add_note(const QString& text);
   void go(double time_s);
-  /// What a lesson says about a metric; without it worst moments know no limits.
+  /// Direction and target of a metric in a lesson; without it worst moments have no limits.
   using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
   void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
   const QVector<WorstMoment>& worst() const { return worst_moments_; }
-  /// Shows another attempt of the store beside this one. False: the page says why.
+  /// Shows another attempt of the store beside this one. On failure false, and the page shows the reason.
   bool compare(const QString& attempt_id);
   Comparison* comparison() { return other_; }
   bool comparing() const;
-  /// Pages to print about the attempt. "" or what went wrong.
+  /// Writes the printed report of the attempt. Returns "" or the error.
   QString write_report(const QString& file);
 
  public Q_SLOTS:
   void toggle_play();
-  /// Plays a second before and after the cursor again and again, or no longer.
+  /// Switches the loop over a second before and after the cursor.
   void set_loop(bool on);
   void ask_note();
   void ask_compare();
   void end_comparison();
-  /// The cursor goes to the worst moment, then to the next.
+  /// Moves the cursor to the worst moment, then to the next.
   void to_next_worst();
 
  protected:
@@ -91,7 +91,7 @@ class ReviewPage : public QWidget {
 
  Q_SIGNALS:
   void back();
-  /// An attempt that was saved is wanted.
+  /// A saved attempt is to be opened.
   void ask_file();
 
  private:
@@ -105,6 +105,7 @@ class ReviewPage : public QWidget {
   void set_exports_enabled(bool on);
   bool find_attempt(const std::string& id, record::AttemptRow& out);
   QWidget* make_side();
+  void make_tables(QWidget* tabs);
   void show_review(const base::Problems& problems);
   void fill_side();
   void fill_metrics();
@@ -130,10 +131,10 @@ class ReviewPage : public QWidget {
   PlayerOpener opener_;
   bool show_attempt(const QString& attempt_id, const RecordingReader& reader);
 
-  std::vector<record::Exported> exported() const;  // the attempt shown; none where it cannot be read
+  std::vector<record::Exported> exported() const;  // export data of the shown attempt; empty when it cannot be read
 
   ExportReader exported_;
-  std::string file_;  // that it came from, "" for the store
+  std::string file_;  // file of the attempt, "" for the store
   FileOpener open_file_;
   FileReader read_file_;
   std::shared_ptr<record::Store> store_;
@@ -152,12 +153,12 @@ class ReviewPage : public QWidget {
   QTableWidget *metrics_ = nullptr, *moments_ = nullptr, *worst_ = nullptr;
   RatingPanel* ratings_ = nullptr;
   QVector<WorstMoment> worst_moments_;
-  bool worst_shown_ = false;  // since the attempt was opened
+  bool worst_shown_ = false;  // a worst moment was visited since the attempt was opened
   MetricFinder finder_;
   QHBoxLayout* pictures_ = nullptr;
-  QBoxLayout* transport_ = nullptr;  // play and views: one row, or two where the page is narrow
+  QBoxLayout* transport_ = nullptr;  // playback and views: one row, or two on a narrow page
   QVector<QAction*> exports_;
-  Comparison* other_ = nullptr;  // made when it is first asked for
+  Comparison* other_ = nullptr;  // made on first use
   QListWidget* traces_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   TrackPlot* track_ = nullptr;
@@ -171,7 +172,7 @@ class ReviewPage : public QWidget {
   double wanted_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
   QPushButton *report_ = nullptr, *export_ = nullptr, *loop_ = nullptr, *note_button_ = nullptr, *compare_ = nullptr;
   bool playing_ = false, technical_ = false;
-  bool from_store_ = false;  // notes can be kept
+  bool from_store_ = false;  // notes can be stored
 };
 
 }  // namespace swage::console

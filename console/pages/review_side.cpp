@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The right side of the Review page: metrics, what happened, notes, which traces; and the ways out of the program.
+// The right side of the Review page: metrics, events, notes, choice of traces; and exports.
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QMenu>
@@ -20,8 +20,8 @@
 namespace swage::console {
 namespace {
 
-constexpr int kOtherColumn = 3;  // of the metrics: those of the attempt beside this one
-constexpr int kMostTraces = 6;  // more would be lines without height
+constexpr int kOtherColumn = 3;  // of the metrics: those of the compared attempt
+constexpr int kMostTraces = 6;  // with more each trace would be too low
 
 QTableWidget* make_table(const QStringList& heads, int stretch, const char* name, const QString& accessible,
                          QWidget* parent) {
@@ -69,22 +69,10 @@ QWidget* ReviewPage::make_side() {
   tabs->setObjectName(QStringLiteral("review_tabs"));
   tabs->setAccessibleName(tr("Metrics, events, traces"));
   tabs->setDocumentMode(true);
-  // on a small screen words get shorter; no tab hides behind an arrow
+  // on a small screen tab titles are elided, so that no tab is hidden behind an arrow
   tabs->setUsesScrollButtons(false);
   tabs->setElideMode(Qt::ElideRight);
-  metrics_ =
-      make_table({tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"), tabs);
-  moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
-                        tr("What happened"), tabs);
-  traces_ = new QListWidget(tabs);
-  traces_->setObjectName(QStringLiteral("review_traces"));
-  traces_->setAccessibleName(tr("Which traces are shown"));
-  metrics_->setColumnHidden(kOtherColumn, true);
-  // a sentence that does not fit takes a second line
-  moments_->setWordWrap(true);
-  moments_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
-  worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
+  make_tables(tabs);
   tabs->addTab(metrics_, tr("&Metrics"));
   tabs->addTab(worst_, tr("&Worst"));
   tabs->setTabToolTip(1, tr("Worst moments"));
@@ -100,6 +88,23 @@ QWidget* ReviewPage::make_side() {
   column->addWidget(tabs, 1);
   legend_ = new CueLegend(box);
   column->addWidget(legend_);
+  return box;
+}
+
+void ReviewPage::make_tables(QWidget* tabs) {
+  metrics_ =
+      make_table({tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"), tabs);
+  moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
+                        tr("What happened"), tabs);
+  traces_ = new QListWidget(tabs);
+  traces_->setObjectName(QStringLiteral("review_traces"));
+  traces_->setAccessibleName(tr("Which traces are shown"));
+  metrics_->setColumnHidden(kOtherColumn, true);
+  // a sentence that does not fit takes a second line
+  moments_->setWordWrap(true);
+  moments_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
+  worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
   const auto to_moment = [this](int row) {
     if (row >= 0) go(moments_->item(row, 0)->data(Qt::UserRole).toDouble());
   };
@@ -108,10 +113,9 @@ QWidget* ReviewPage::make_side() {
   connect(worst_, &QTableWidget::cellClicked, this, &ReviewPage::to_worst);
   connect(worst_, &QTableWidget::cellActivated, this, &ReviewPage::loop_worst);
   connect(traces_, &QListWidget::itemChanged, this, &ReviewPage::show_traces);
-  return box;
 }
 
-// What was measured, then what it cost: points lost are headed, as the same words name both.
+// Measurements first, then deductions under a heading of their own, as both may have the same name.
 void ReviewPage::fill_metrics() {
   metrics_->clearSpans();
   metrics_->setRowCount(0);
@@ -128,7 +132,7 @@ void ReviewPage::fill_metrics() {
       metrics_->item(row, kOtherColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
     if (m.points) return;
-    // the arrow alone: words would leave the names no room on a small screen
+    // the arrow alone, as text would leave too little room for the names on a small screen
     metrics_->setItem(row, 2, item(better_words(m.better).left(1), better_words(m.better, false)));
     metrics_->item(row, 2)->setTextAlignment(Qt::AlignHCenter | Qt::AlignVCenter);
     metrics_->item(row, 2)->setData(Qt::AccessibleTextRole, better_words(m.better, false));
@@ -196,7 +200,7 @@ void ReviewPage::show_traces() {
   timeline_->set_shown(shown);
 }
 
-// The report has a button; files for other programs are in a menu, so that the title keeps its room.
+// The report has a button; exports for other programs are in a menu, so that the title has room.
 void ReviewPage::add_exports(QHBoxLayout* row, QWidget* box) {
   report_ = make_button(tr("Report (PDF)"), {}, QStringLiteral("save_report"), box);
   report_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
@@ -252,7 +256,7 @@ std::vector<record::Exported> ReviewPage::exported() const {
   return out;
 }
 
-// numbers alone; what they were measured with stands beside them
+// writes numbers only; what they were measured with is written beside them
 QString ReviewPage::write_signals(const QString& file) {
   QString problem = write_file(file, signals_csv(recording_));
   for (const record::Exported& about : exported())
@@ -284,7 +288,7 @@ void ReviewPage::save(const QString& title, const QString& ending,
   note_->show();
 }
 
-// the attempt's own events, and what people noted since
+// the attempt's own events, and notes added later
 void ReviewPage::read_moments() {
   const record::AttemptRow row = review_.attempt;
   std::vector<record::EventRow> events = store_->events(row.id);

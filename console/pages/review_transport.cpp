@@ -10,13 +10,13 @@
 namespace swage::console {
 namespace {
 
-constexpr double kFrame_s = 0.01;  // of the buttons and keys that step
+constexpr double kFrame_s = 0.01;  // step of the frame buttons and keys
 
 }  // namespace
 
 QWidget* ReviewPage::make_transport() {
   auto* box = new QWidget(this);
-  // one row of it must not keep a window from being made smaller: then there are two
+  // one row must not limit the width of the window: on a narrow one there are two rows
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   transport_ = new QBoxLayout(QBoxLayout::LeftToRight, box);
   transport_->setContentsMargins(0, 0, 0, 0);
@@ -50,7 +50,7 @@ QWidget* ReviewPage::make_transport() {
   time_->setDecimals(3);
   time_->setSingleStep(kFrame_s);
   time_->setSuffix(tr(" s"));
-  time_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the buttons beside it step
+  time_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the buttons beside it do the stepping
   time_->setKeyboardTracking(false);
   connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
   row->addWidget(time_);

@@ -220,6 +220,8 @@ void RunPage::preview() {
     presenter_->set_next_look(CameraPreset::kOrbit);  // a view that suits one lesson may hide the work of another
   }
   shown_lesson_ = setup_->lesson();
+  const QModelIndex chosen = lessons_->index(lessons_->row_of(shown_lesson_));
+  actions_->set_reset(chosen.data(LessonsModel::kResetLabel).toString(), chosen.data(LessonsModel::kResetTip).toString());
   asked_ = read_criteria(shown_lesson_.toStdString(), catalogue());
   setup_->set_show(asked_.show);
   options_.set_show(asked_.show);
@@ -255,7 +257,7 @@ void RunPage::start_unrecorded() {
 bool RunPage::agree_on_person() {
   if (!setup_->person_is_new()) return true;
   const QString name = setup_->person();
-  QMessageBox ask(QMessageBox::Question, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
+  QMessageBox ask(QMessageBox::NoIcon, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
   ask.setObjectName(QStringLiteral("new_trainee"));
   const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
   ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));

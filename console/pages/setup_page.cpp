@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -139,7 +140,7 @@ void SetupPage::set_devices(const std::vector<const host::PluginInfo*>& devices)
   pose_->addItem(tr("As the lesson says"), QString());
   for (QComboBox* choice : {jaws_, pedal_}) choice->addItem(tr("The same device"), QString());
   for (const host::PluginInfo* plugin : devices)
-    for (QComboBox* choice : {pose_, jaws_, pedal_}) choice->addItem(QString::fromStdString(plugin->name), QString::fromStdString(plugin->id));
+    for (QComboBox* choice : {pose_, jaws_, pedal_}) choice->addItem(said(plugin->name, plugin->bundle_dir), QString::fromStdString(plugin->id));
 }
 
 void SetupPage::show_binding(const Binding& binding, const QString& person) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Setup page: what is set once for a room and its people, and the equipment. Sections are cards, added by whoever has one.
+// The Setup page: settings of the room and its people, and the equipment. Sections are cards, added by the parts of the program.
 #pragma once
 
 #include <QComboBox>
@@ -19,15 +19,15 @@ class SetupPage : public QWidget {
   Q_OBJECT
  public:
   explicit SetupPage(QWidget* parent = nullptr);
-  /// A card with a heading; the section is laid into it. Sections stand in two columns, in the order of their coming.
+  /// Adds a card with a heading around the section. Cards are laid out in two columns, in the order of the calls.
   void add_section(const QString& heading, QWidget* section);
   void show_themes(const QString& ui, const QString& cues);
-  /// The languages that there are, what they call themselves, and the one that is chosen; "" for that of the system.
+  /// The available languages, their own names, and the chosen one; "" for the system's.
   void show_languages(const QStringList& codes, const QStringList& names, const QString& chosen);
-  /// What a person can hold, and what leads the instrument of whom.
+  /// Lists the devices for a person's hand, to be bound to a person's instrument.
   void set_devices(const std::vector<const host::PluginInfo*>& devices);
   void show_binding(const Binding& binding, const QString& person);
-  /// What is stored of sensors, a sentence each.
+  /// Shows the stored sensor calibrations, a sentence each.
   void show_calibrations(const QStringList& lines);
 
  Q_SIGNALS:

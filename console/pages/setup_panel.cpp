@@ -25,7 +25,7 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
-  // on a low screen the choices scroll, and START stays
+  // on a low screen the choices scroll, and START stays visible
   auto* scroll = make_scroll(this);
   auto* choices = new QWidget(scroll);
   auto* inner = new QVBoxLayout(choices);
@@ -55,8 +55,8 @@ QWidget* SetupPanel::make_who() {
   person_->setToolTip(tr("Choose a name or type a new one. Without a name the attempt is kept for Guest."));
   card.body->addWidget(person_);
   connect(person_, &QComboBox::currentTextChanged, this, &SetupPanel::person_chosen);
-  // once a name is there the keys are no longer for it: those that move the instrument are letters
-  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start, Qt::QueuedConnection);  // this Enter is not for START
+  // after the choice of a name the focus leaves the field, as the keys that move the instrument are letters
+  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start, Qt::QueuedConnection);  // queued: this Enter does not press START
   connect(person_->lineEdit(), &QLineEdit::returnPressed, this, &SetupPanel::focus_start, Qt::QueuedConnection);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));
@@ -84,7 +84,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   no_lessons_->setAlignment(Qt::AlignTop);
   card.body->addWidget(no_lessons_, 1);
   variant_ =
-      make_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
+      make_keyed_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
   variant_->setToolTip(
       tr("A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit"));
   give_key(variant_, QStringLiteral("Ctrl+N"));
@@ -102,7 +102,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   return card.frame;
 }
 
-// what can be done with a lesson of one's own
+// buttons for the user's own lessons
 QHBoxLayout* SetupPanel::make_own(QWidget* parent) {
   auto* row = new QHBoxLayout;
   edit_ = make_button(tr("Edit…"), QStringLiteral("Ctrl+E"), QStringLiteral("edit_lesson"), parent);
@@ -153,7 +153,7 @@ QWidget* SetupPanel::make_mode() {
   device_->setAccessibleName(tr("Instrument"));
   fill_devices();
   connect(device_, &QComboBox::activated, this, [this] {
-    // who takes the lesson's own instrument takes the next lesson's as well
+    // a choice of the lesson's own device is kept for the next lesson
     const QString chosen = device_->currentData().toString();
     wanted_device_ = chosen == lesson_device() ? QString() : chosen;
   });
@@ -220,13 +220,13 @@ void SetupPanel::set_device(const QString& device) {
   fill_devices();
 }
 
-// the instrument that the lesson names first; the expert's hand is for demonstrations
+// the device that the lesson lists first; the expert is for demonstrations only
 QString SetupPanel::lesson_device() const {
   const QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
   return hands.isEmpty() || hands.first() == QLatin1String(kExpert) ? QString::fromLatin1(kMouse) : hands.first();
 }
 
-// the hands that the lesson names, in its order; the mouse is always one of them
+// the devices that the lesson lists, in its order; the mouse is always among them
 void SetupPanel::fill_devices() {
   QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
   const QString own = QString::fromLatin1(kOwnInstrument), mouse = QString::fromLatin1(kMouse), first = lesson_device();
@@ -249,7 +249,7 @@ void SetupPanel::fill_devices() {
 }
 
 void SetupPanel::set_own_instrument(const QString& title) {
-  // who has just bound an instrument wants to use it
+  // a newly bound instrument is selected
   wanted_device_ = title.isEmpty() ? QString() : QString::fromLatin1(kOwnInstrument);
   own_instrument_ = title;
   fill_devices();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Left of the Run page: who, which lesson, which mode, which hand, START. Nothing of it has to be filled in.
+// Left side of the Run page: person, lesson, mode, device, START. No field is mandatory.
 #pragma once
 
 #include <QButtonGroup>
@@ -23,11 +23,11 @@ class SetupPanel : public QWidget {
 
   QString person() const;  // "Guest" when nobody is named
   void set_people(const QStringList& names, const QString& current);
-  /// A name that is taken as it is, though nobody has practised under it: given at the command line, or agreed to.
+  /// Accepts a name without a question although nobody has practised under it: given on the command line, or confirmed.
   void know_person(const QString& name) { known_ += name; }
-  /// Nobody has practised or been entered under the name that is there: it may be a slip of the keyboard.
+  /// True when nobody has practised or been entered under the present name: it may be a typing error.
   bool person_is_new() const;
-  /// The keyboard goes to the name, all of it chosen, or to START, else to the lessons.
+  /// Moves the focus to the name, with its text selected, or to START, else to the lessons.
   void focus_person();
   void focus_start();
   bool has_lessons() const;
@@ -38,19 +38,19 @@ class SetupPanel : public QWidget {
   QString device() const;  // for session::Options::device
   QString device_name() const { return device_->currentText(); }
   void set_device(const QString& device);
-  /// What the person's own instrument is called; "" when there is none.
+  /// The name of the person's own instrument; "" when there is none.
   void set_own_instrument(const QString& title);
-  bool left_handed() const { return left_->isChecked(); }  // the lesson is mirrored
-  bool mirrored() const;                                   // by that or by its file
+  bool left_handed() const { return left_->isChecked(); }  // mirrors the lesson
+  bool mirrored() const;                                   // by that switch or by its file
   void set_left_handed(bool on) { left_->setChecked(on); }
-  QString summary() const;  // what the lesson is about
-  QString task() const;     // and what it is for
-  /// What START says: an attempt runs, or waits.
+  QString summary() const;  // the lesson's task
+  QString task() const;     // the task and the learning goal
+  /// Sets the text of START for a running or paused attempt.
   void set_running(bool running, bool paused = false);
-  /// Whether the chosen lesson can be built; START is off where it cannot.
+  /// False when the chosen lesson cannot be built: disables START.
   void set_startable(bool on);
   bool startable() const { return startable_; }
-  /// A demonstration has no modes.
+  /// True for a demonstration, which has no modes.
   void set_show(bool show);
   bool has_next() const;
   void select_next();
@@ -80,7 +80,7 @@ class SetupPanel : public QWidget {
   QButtonGroup* modes_;
   QPushButton *start_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
   QStringList known_;
-  QString wanted_device_, own_instrument_;  // wanted: "" is what the lesson names first
+  QString wanted_device_, own_instrument_;  // wanted_device_: "" is the lesson's first choice
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
   QLabel* explain_ = nullptr;
   void update_modes();

@@ -28,7 +28,7 @@ SoundControl::SoundControl(QWidget* parent)
   volume_->setValue(static_cast<int>(100 * speaker_.volume()));
   connect(button_, &QPushButton::toggled, volume_, &QSlider::setEnabled);
   connect(volume_, &QSlider::valueChanged, this, [this](int v) { speaker_.set_volume(v / 100.0); });
-  // what it will sound like
+  // plays a sample at the new volume
   connect(volume_, &QSlider::sliderReleased, this, [this] { speaker_.play(tone(QStringLiteral("high, two knocks"))); });
   row->addWidget(button_);
   row->addWidget(volume_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Whether the cues of an attempt are heard, and how loud: a button and a slider, and the loudspeaker behind them. [main]
+// Sound of the cues: a button and a slider, and the loudspeaker behind them. [main]
 #pragma once
 
 #include <QPushButton>
@@ -21,9 +21,9 @@ class SoundControl : public QWidget {
   bool on() const { return button_->isChecked(); }
   Speaker& speaker() { return speaker_; }
 
-  /// Before an attempt: no cue has been on yet.
+  /// To be called before an attempt: no cue is active.
   void reset() { sounds_.reset(); }
-  /// The cues that are on now. Each is followed, and heard where `audible` and the button is pressed.
+  /// The active cues. All are tracked, and played if `audible` and the button is pressed.
   void hear(const QStringList& meanings, double time_s, const CueTheme& theme, bool audible);
 
  private:

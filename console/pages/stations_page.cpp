@@ -63,22 +63,10 @@ QWidget* StationsPage::make_list() {
   problem_->setWordWrap(true);
   problem_->hide();
   card.body->addWidget(problem_);
-  table_ = new QTableView(card.frame);
-  table_->setObjectName(QStringLiteral("stations"));
-  table_->setAccessibleName(tr("Stations"));
-  table_->setModel(model_);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
+  table_ = make_row_table(model_, tr("Stations"), QStringLiteral("stations"), card.frame);
   table_->setWordWrap(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(28);
   QHeaderView* columns = table_->horizontalHeader();
-  columns->setHighlightSections(false);
-  columns->setSectionResizeMode(QHeaderView::ResizeToContents);
-  // what is longest gives way to the others
+  // the longest columns share the remaining width
   for (const int wide : {int(StationsModel::kLesson), int(StationsModel::kPhase), int(StationsModel::kCues), int(StationsModel::kHealth)})
     columns->setSectionResizeMode(wide, QHeaderView::Stretch);
   table_->setToolTip(tr("Enter: write to this station"));
@@ -179,7 +167,7 @@ QWidget* StationsPage::make_empty() {
   empty_->setWordWrap(true);
   empty_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   empty_->setMaximumWidth(760);
-  // no alignment: it would be as high as its words are at another width
+  // no alignment, with which the height would be computed for another width
   auto* middle = new QHBoxLayout;
   middle->addStretch(1);
   middle->addWidget(empty_, 8);
@@ -214,7 +202,7 @@ void StationsPage::show_stations() {
   show_problem();
 }
 
-// What the list shows stays to be read while the server does not answer, with its age.
+// While the server does not answer, the last list stays visible, with its age.
 void StationsPage::show_problem() {
   const bool any = model_->rowCount() > 0;
   const QString why = link_->problem();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Stations page: what everybody does now, and for the chosen one a picture, a message, a lesson, a mark.
+// The Stations page: the state of all stations, and for the selected one a picture, a message, a lesson, a mark in its record.
 #pragma once
 
 #include <QComboBox>
@@ -58,7 +58,7 @@ class StationsPage : public QWidget {
   StationLink* link_;
   LessonsModel* lessons_;
   StationsModel* model_;
-  QTimer age_;  // how old the list is, while the server does not answer
+  QTimer age_;  // updates the age of the list, while the server does not answer
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   QLabel *count_ = nullptr, *problem_ = nullptr, *empty_ = nullptr, *name_ = nullptr, *facts_ = nullptr, *picture_ = nullptr,

@@ -10,7 +10,7 @@
 namespace swage::console {
 namespace {
 
-/// What a device tells of itself, as far as it is known: ", Pad: Battery 70 %".
+/// A device's own status, if known: ", Pad: Battery 70 %".
 QString told_by(const snapshot::Snapshot& s, const snapshot::SceneCard& card, const std::string& device) {
   QString out;
   for (uint32_t i = 0; i < s.n_signal && i < card.script.signals.size(); ++i) {
@@ -93,7 +93,7 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
   loop_->setToolTip(hints.isEmpty() ? tr("The force loop is on time.") : hints.join(QLatin1Char('\n')));
   QStringList devices;
   for (uint32_t i = 0; i < s.n_device && i < card.devices.size(); ++i) {
-    const QString name = QString::fromStdString(card.devices[i].name);
+    const QString name = said_id(card.devices[i].name);
     devices += (s.device[i].stale ? tr("▲ %1: no reply").arg(name) : tr("● %1: OK").arg(name)) + told_by(s, card, card.devices[i].name);
   }
   device_->setText(devices.join(QStringLiteral("   ")));

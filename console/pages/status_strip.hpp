@@ -10,7 +10,7 @@
 
 namespace swage::console {
 
-/// The strip at the bottom of the window: is everything well?
+/// The strip at the bottom of the window: the health of session, devices and record.
 class StatusStrip : public QWidget {
   Q_OBJECT
  public:

@@ -19,8 +19,8 @@
 namespace swage::console {
 namespace {
 
-constexpr int kValues_px = 460;  // a name, a number with its unit, the way back
-constexpr int kBuildDelay_ms = 300;  // after the last edit: typing does not build a scene per letter
+constexpr int kValues_px = 460;  // width for a name, a number with its unit, and the reset button
+constexpr int kBuildDelay_ms = 300;  // after the last edit, so that typing does not build a scene for each letter
 
 Variant begin_of(const LessonEntry& lesson, bool edits) {
   if (edits) return {lesson.path, lesson.title, lesson.summary, lesson.goal, {}};
@@ -87,7 +87,7 @@ QWidget* VariantDialog::make_words() {
   connect(title_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_title);
   connect(summary_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_summary);
   connect(goal_, &QPlainTextEdit::textChanged, &draft_, [this] { draft_.set_goal(goal_->toPlainText()); });
-  // undo is the lesson's, in every field
+  // in every field undo acts on the whole lesson
   for (QWidget* field : std::initializer_list<QWidget*>{title_, summary_, goal_}) field->installEventFilter(this);
   return card.frame;
 }
@@ -193,7 +193,7 @@ void VariantDialog::add_undo() {
 }
 
 void VariantDialog::preset(const QVector<LiveForm::Change>& values) {
-  if (draft_.taken_up()) return;  // what was being done goes on
+  if (draft_.taken_up()) return;  // a resumed edit keeps its own values
   preset_ = form_->preset(values);
   draft_.set_values(form_->changes(), QStringLiteral("preset"));
   update_state();
@@ -253,7 +253,7 @@ void VariantDialog::build() {
   update_state();
 }
 
-// "Grip force: the first number is ...": a place ".../params/force" names the value, as the form calls it.
+// "Grip force: the first number is ...": a location ".../params/force" becomes the title of that parameter in the form.
 QString VariantDialog::fault_words(const base::Problem& problem) const {
   const QString id = QString::fromStdString(problem.where).section(QStringLiteral("/params/"), 1).section(QLatin1Char('/'), 0, 0);
   const QString name = id.isEmpty() ? QString() : form_->title_of(id.toStdString());
@@ -266,7 +266,7 @@ void VariantDialog::update_state() {
   const auto changes = draft_.now().set.size();
   const bool named = !title_->text().trimmed().isEmpty(), parts = draft_.parts_changed();
   const bool words = folder_.isEmpty() && draft_.words_changed();
-  const bool can = (changes > 0 || words || parts) && named && fault_.isEmpty();  // a copy that changes nothing is no lesson
+  const bool can = (changes > 0 || words || parts) && named && fault_.isEmpty();  // an unchanged copy is not saved
   save_->setEnabled(can);
   try_->setEnabled(can);
   QString text = !named         ? tr("A lesson has a title.")
@@ -301,7 +301,7 @@ void VariantDialog::save() {
   update_state();
 }
 
-// saved or cancelled, either way the edit is over
+// ends the edit after Save or Cancel
 void VariantDialog::done(int result) {
   build_timer_.stop();
   draft_.end();

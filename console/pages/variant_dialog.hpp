@@ -22,25 +22,25 @@ namespace swage::console {
 class PartsPanel;
 class SceneView;
 
-/// An instructor's own lesson: another one with a title, parts and values of its own, and its scene at rest as it would be. Every
-/// change can be undone and is kept at once in a draft; the lesson itself is not written before its scene could be built.
+/// An instructor's own lesson: derived from another, with its own title, parts and values, and a picture of its scene at rest. Every
+/// change can be undone and is stored at once in a draft; the lesson itself is written only after its scene could be built.
 class VariantDialog : public QDialog {
   Q_OBJECT
  public:
   struct Services {
-    /// Builds the lesson of a file without running it; nullptr and why not.
+    /// Builds the lesson of a file without running it; nullptr and the problems on failure.
     std::function<std::unique_ptr<snapshot::SceneCard>(const QString& path, base::Problems& problems)> build;
     host::Catalogue catalogue;
     QString drafts;                               // folder
-    std::function<void(SceneView&)> dress = {};   // gives the picture its colours
+    std::function<void(SceneView&)> dress = {};   // sets the colours of the picture
   };
 
-  /// A new lesson below `folder`, based on `lesson`; without a folder `lesson` itself, one of one's own, is edited.
+  /// A new lesson in `folder`, derived from `lesson`; without a folder `lesson` itself, one of the user's own, is edited.
   VariantDialog(const LessonEntry& lesson, Services services, const QString& folder, QWidget* parent);
   ~VariantDialog() override;
-  /// Values that an attempt was adjusted to are in the form from the start.
+  /// Sets values that were adjusted during an attempt.
   void preset(const QVector<LiveForm::Change>& values);
-  /// After Save: the file, and whether it is to be tried at once.
+  /// After Save: path of the file, and whether it is to be run at once.
   QString saved() const { return saved_; }
   bool to_try() const { return to_try_; }
   LessonDraft& draft() { return draft_; }
@@ -57,18 +57,18 @@ class VariantDialog : public QDialog {
   void show_edit(bool structure, bool by_undo);
   void show_words();
   void show_values();
-  void build();  // the scene of the draft as it is now
+  void build();  // builds the scene of the present draft
   QString fault_words(const base::Problem& problem) const;
   void update_state();
   void save();
   void done(int result) override;
-  QString write();  // "" or why not
+  QString write();  // "" or the error
 
   LessonEntry lesson_;
   Services services_;
   QString folder_, saved_;  // no folder: the lesson itself is edited
   LessonDraft draft_;
-  QString fault_;  // why the lesson cannot be built as it is now; "" when it can
+  QString fault_;  // why the present draft cannot be built; "" when it can
   QString told_;
   int preset_ = 0;
   bool to_try_ = false;

@@ -10,12 +10,12 @@ namespace swage::console {
 namespace {
 
 constexpr int kBarGap_px = 10;                          // between groups of buttons
-constexpr int kLongestTitle_px = 330, kSound_px = 140;  // what title and sound have beside the buttons
+constexpr int kLongestTitle_px = 330, kSound_px = 140;  // room for title and sound beside the buttons
 
 }  // namespace
 
 ViewBar::ViewBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
-  // it never keeps the window wide: what does not fit goes into the menu
+  // does not limit the width of the window: buttons without room go into the menu
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row_->setContentsMargins(0, 0, 0, 0);
   add_title();
@@ -53,7 +53,7 @@ void ViewBar::add_presets() {
   }
 }
 
-// a button that stays as it was pressed
+// a button that can be toggled
 QPushButton* ViewBar::add_toggle(const QString& text, const char* name, const QString& tip, bool on) {
   auto* button = make_button(text, {}, QString::fromLatin1(name), this);
   button->setCheckable(true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The bar over the picture of the Run page: the lesson's title, from where the scene is seen, what is drawn in it, its sound. Where the
-// buttons do not fit, one button has them as a menu. [main]
+// The bar over the picture of the Run page: the lesson's title, the camera, display options, sound. On a narrow page one button has the
+// others as a menu. [main]
 #pragma once
 
 #include <QHBoxLayout>
@@ -21,26 +21,26 @@ class ViewBar : public QWidget {
  public:
   explicit ViewBar(QWidget* parent = nullptr);
   void set_title(const QString& title) { title_->setText(title); }
-  /// `room`: pixels that title, buttons and sound have together.
+  /// `room`: px for title, buttons and sound together.
   void fold_to(int room);
   bool cues_on() const { return cues_->isChecked(); }
-  /// A test allows none.
+  /// False in a test.
   void set_cues_allowed(bool allowed) { cues_->setEnabled(allowed); }
   bool insets_on() const { return insets_->isChecked(); }
-  /// As the instructor's window is shown or not; tells instructor_toggled where that is new.
+  /// Sets the button of the instructor's window; emits instructor_toggled on a change.
   void set_instructor(bool shown) { instructor_->setChecked(shown); }
   SoundControl* sound() { return sound_; }
 
  Q_SIGNALS:
-  /// From where the scene is to be seen.
+  /// A camera preset was chosen.
   void view_chosen(swage::console::CameraPreset preset);
-  /// What the picture is to show: cues; small views; contact forces.
+  /// Display options were changed: cues; small views; contact forces.
   void cues_toggled(bool on);
   void insets_toggled(bool on);
   void forces_toggled(bool on);
-  /// What an instructor sees besides: what the machine did, a needle's stress.
+  /// The instructor's details were switched: technical events, a needle's stress.
   void detail_toggled(bool on);
-  /// The instructor's window is to be shown, or closed.
+  /// The instructor's window is to be shown or closed.
   void instructor_toggled(bool on);
 
  private:
@@ -53,7 +53,7 @@ class ViewBar : public QWidget {
 
   QHBoxLayout* row_;
   QLabel* title_ = nullptr;
-  QList<QPushButton*> folding_;  // those that the menu has where they do not fit
+  QList<QPushButton*> folding_;  // buttons that move into the menu on a narrow page
   QPushButton *cues_ = nullptr, *insets_ = nullptr, *instructor_ = nullptr, *menu_ = nullptr;
   SoundControl* sound_ = nullptr;
 };

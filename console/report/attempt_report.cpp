@@ -16,8 +16,8 @@
 namespace swage::console {
 namespace {
 
-constexpr int kMostMoments = 5, kTraces = 3;  // the worst ones; traces that are told apart in grey
-constexpr double kHeading_px = 90;            // a heading and some lines of what it is of
+constexpr int kMostMoments = 5, kTraces = 3;  // number of worst moments; number of traces that can be told apart in grey
+constexpr double kHeading_px = 90;            // height of a heading and some lines below it
 constexpr double kTimeline_px = 260, kTrack_px = 190;
 const QColor kGrey(80, 80, 80);
 
@@ -43,7 +43,7 @@ void add_metrics(Sheet& sheet, const Review& review) {
     if (m.points) sheet.row({m.name, m.value, {}}, shares, false);
 }
 
-// Each item with what was computed and what the instructor gave; scales of which nothing is known stay away.
+// Each item with its computed points and the instructor's; scales without either are left out.
 void add_ratings(Sheet& sheet, const Review& review) {
   const QVector<double> shares = {0.4, 0.3, 0.3};
   for (const RatedScale& scale : review.scales) {
@@ -89,7 +89,7 @@ void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
   sheet.widget(track, kTrack_px);
 }
 
-// What the numbers were made with.
+// The versions and the seed that produced the numbers.
 QString made_with_line(const AttemptReport& r) {
   QStringList plugins;
   for (const auto& [id, version] : r.recording.info.plugins)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Pages about an attempt, to be printed: result, metrics, ratings, worst moments, traces, the thesis's two plots, notes.
+// Printed report of an attempt: result, metrics, ratings, worst moments, traces, the thesis's two plots, notes.
 #pragma once
 
 #include <QString>
@@ -22,10 +22,10 @@ struct AttemptReport {
   QVector<WorstMoment> worst;
   std::optional<EntryTrack> track;
   std::vector<record::Note> notes;
-  std::vector<record::Exported> about;  // the attempt as exports say it; none where that could not be read
+  std::vector<record::Exported> about;  // the attempt as in exports; empty if it could not be read
 };
 
-/// "" or what went wrong. The pages say the person's code and name as the store shows them.
+/// Returns "" or the error. The pages show the person's code and name as the store gives them.
 QString write_attempt_report(const AttemptReport& report, const QString& file);
 
 }  // namespace swage::console

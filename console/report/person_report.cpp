@@ -16,7 +16,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kTableHead_px = 90;  // a heading and some lines of what it is of
+constexpr double kTableHead_px = 90;  // height of a heading and some lines below it
 
 class PersonWords {
   Q_DECLARE_TR_FUNCTIONS(report)
@@ -56,7 +56,7 @@ QString passed_words(const PersonReport& r) {
 
 void add_bars(Sheet& sheet, const PersonReport& r, const UiTheme& theme) {
   if (r.bars.isEmpty()) return;
-  constexpr int kBars = 16;  // that one page holds
+  constexpr int kBars = 16;  // bars per page
   for (int from = 0; from < r.bars.size(); from += kBars) {
     BandBars bars;
     bars.set_theme(theme);

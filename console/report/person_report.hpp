@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Pages about a person, to be printed: where they stand, one metric over the attempts, the latest values beside the experts'.
+// Printed report of a person: standing, one metric over the attempts, the latest values beside the experts'.
 #pragma once
 
 #include <QString>
@@ -14,15 +14,15 @@
 namespace swage::console {
 
 struct PersonReport {
-  QString name, code, lesson;  // name: "" where the page leaves the school
+  QString name, code, lesson;  // name: "" for a page that leaves the school
   Standing standing;                     // over all lessons
   MetricSeries series;
   QVector<MetricBar> bars;
   QVector<record::AttemptRow> attempts;  // of the lesson, newest first
-  std::vector<record::Exported> about;   // the same as exports say them
+  std::vector<record::Exported> about;   // the same attempts as in exports
 };
 
-/// A4 pages that print in grey, as many as the attempts need. "" or what went wrong.
+/// Writes A4 pages for printing in grey, as many as the attempts need. Returns "" or the error.
 QString write_report(const PersonReport& report, const QString& file);
 
 }  // namespace swage::console

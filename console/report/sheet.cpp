@@ -10,16 +10,16 @@
 namespace swage::console {
 namespace {
 
-constexpr int kDpi = 96;  // widgets draw as on a screen
+constexpr int kDpi = 96;  // resolution at which widgets draw as on a screen
 constexpr double kMargin_mm = 18, kLine_px = 20;
-constexpr double kFooter_px = 26;  // below every page's text: a line and the words of 8 points
+constexpr double kFooter_px = 26;  // space below every page's text: a line and text of 8 points
 const QColor kFooterGrey(80, 80, 80);
 
 class SheetWords {
   Q_DECLARE_TR_FUNCTIONS(sheet)
 };
 
-/// Draws all pages; returns how many they are.
+/// Draws all pages; returns their number.
 int draw_pages(QIODevice& out, const QString& title, int pages, const std::function<void(Sheet&)>& draw) {
   QPdfWriter pdf(&out);
   pdf.setResolution(kDpi);
@@ -114,7 +114,7 @@ void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bo
 
 void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold) {
   const int before = number_;
-  keep(bold ? 2 * kLine_px : kLine_px);  // no head without a line below it
+  keep(bold ? 2 * kLine_px : kLine_px);  // a table's head needs a row below it on the page
   if (bold) head_ = cells, head_shares_ = shares;
   if (!bold && number_ != before && !head_.isEmpty()) draw_row(head_, head_shares_, true);
   draw_row(cells, shares, bold);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Printed pages: texts, rows and widgets below each other, on as many pages as they need.
+// Printed pages: texts, rows and widgets from top to bottom, on as many pages as they need.
 #pragma once
 
 #include <QPagedPaintDevice>
@@ -12,19 +12,19 @@
 
 namespace swage::console {
 
-/// Draws from the top of the first page down. What does not fit any more begins the next page; a table's head is repeated there.
+/// Draws from the top of the first page downwards. A row that does not fit begins the next page, where a table's head is repeated.
 class Sheet {
  public:
-  /// `title`: whose pages they are, in each footer. `pages`: how many there will be, 0 while that is being counted.
+  /// `title`: text of each footer, usually the person's. `pages`: total number, 0 during the count.
   Sheet(QPagedPaintDevice& device, QPainter& painter, const QRectF& page, QString title, int pages);
   void text(const QString& words, double points, bool bold = false, const QColor& colour = Qt::black);
   void gap(double px) { y_ += px; }
   void widget(QWidget& w, double height);
-  /// `shares` of the width, one per cell. A bold row is a table's head.
+  /// `shares`: of the width, one per cell. A bold row is a table's head.
   void row(const QStringList& cells, const QVector<double>& shares, bool bold);
-  /// A new page unless that many px are still free on this one: a heading stays with what it is of.
+  /// Begins a new page unless `px` are free on this one: a heading stays with the content below it.
   void keep(double px);
-  /// The footer of the last page.
+  /// Draws the footer of the last page.
   void end() { footer(); }
   int page() const { return number_; }
 
@@ -43,7 +43,7 @@ class Sheet {
   QVector<double> head_shares_;
 };
 
-/// Writes A4 pages that print in grey, each with a footer. `draw` is called twice: once to count the pages. "" or what went wrong.
+/// Writes A4 pages for printing in grey, each with a footer. `draw` is called twice: first to count the pages. Returns "" or the error.
 QString write_sheet(const QString& file, const QString& title, const std::function<void(Sheet&)>& draw);
 
 }  // namespace swage::console

@@ -689,8 +689,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Keine Versuche von Experten, an denen sich diese Grenzen prüfen ließen.</translation>
     </message>
     <message>
-        <source>%1 of %2 expert attempts meet all %3 limits together.</source>
-        <translation>%1 von %2 Expertenversuchen erfüllen alle %3 Grenzen zusammen.</translation>
+        <source>%1 of %2 expert attempts pass and meet all %3 limits together.</source>
+        <translation>%1 von %2 Expertenversuchen sind bestanden und halten alle %3 Grenzen zusammen ein.</translation>
     </message>
     <message>
         <source>The hardest alone is %1: %2.</source>
@@ -865,10 +865,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Führung</translation>
     </message>
     <message>
-        <source>Put what the lesson works on back to where it started (F7)</source>
-        <translation>Woran die Lektion arbeitet, dorthin zurücklegen, wo es begann (F7)</translation>
-    </message>
-    <message>
         <source>Remember the moment two seconds ago (F8)</source>
         <translation>Den Moment vor zwei Sekunden merken (F8)</translation>
     </message>
@@ -883,6 +879,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Pause   F6</source>
         <translation>Pause   F6</translation>
+    </message>
+    <message>
+        <source>Put what the lesson works on back to where it started</source>
+        <translation>Woran die Lektion arbeitet, dorthin zurücklegen, wo es begann</translation>
     </message>
 </context>
 <context>
@@ -937,6 +937,17 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AttemptOpener</name>
+    <message>
+        <source>Open an attempt</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Swage attempts (*.swage);;All files (*)</source>
+        <translation>Swage-Versuche (*.swage);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1237,6 +1248,33 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>: %1 mm</source>
         <translation>: %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::CloseGuard</name>
+    <message>
+        <source>A lesson is running. Closing the window stops it.</source>
+        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie.</translation>
+    </message>
+    <message>
+        <source>A lesson is running. Closing the window stops it; the attempt is kept as stopped.</source>
+        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie; der Versuch wird als abgebrochen aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Close Swage?</source>
+        <translation>Swage schließen?</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>The window was closed while a lesson ran: that attempt is kept as stopped.</source>
+        <translation>Das Fenster wurde geschlossen, während eine Lektion lief: Der Versuch ist als abgebrochen aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -1571,6 +1609,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>▲ The metrics of this lesson are not known here: is it installed?</source>
         <translation>▲ Die Kennzahlen dieser Lektion sind hier nicht bekannt: ist sie installiert?</translation>
+    </message>
+    <message>
+        <source>▲ This lesson is not installed here: nobody can do it at this station.</source>
+        <translation>▲ Diese Lektion ist hier nicht installiert: An diesem Platz kann sie niemand machen.</translation>
+    </message>
+    <message>
+        <source>▲ The file of this lesson is faulty: nobody can do it. %1</source>
+        <translation>▲ Die Datei dieser Lektion ist fehlerhaft: Niemand kann sie machen. %1</translation>
+    </message>
+    <message>
+        <source>The metrics of this lesson are not known here</source>
+        <translation>Die Kennzahlen dieser Lektion sind hier nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -2252,6 +2302,25 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::LessonRequests</name>
+    <message>
+        <source>Saved as a lesson of your own.</source>
+        <translation>Als eigene Lektion gespeichert.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>The lesson was taken in.</source>
+        <translation>Die Lektion wurde aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::LessonsPage</name>
     <message>
         <source>Lessons</source>
@@ -2448,64 +2517,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>▲ Kein OpenGL</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>Ausführen</translation>
-    </message>
-    <message>
-        <source>What is happening now?</source>
-        <translation>Was geschieht jetzt?</translation>
-    </message>
-    <message>
-        <source>Lessons</source>
-        <translation>Lektionen</translation>
-    </message>
-    <message>
-        <source>What can be practised, and what does it ask for?</source>
-        <translation>Was lässt sich üben, und was fordert es?</translation>
-    </message>
-    <message>
-        <source>Courses</source>
-        <translation>Kurse</translation>
-    </message>
-    <message>
-        <source>In what order, and when is it passed?</source>
-        <translation>In welcher Reihenfolge, und wann ist es bestanden?</translation>
-    </message>
-    <message>
-        <source>People</source>
-        <translation>Personen</translation>
-    </message>
-    <message>
-        <source>Who is where, and who needs help?</source>
-        <translation>Wer steht wo, und wer braucht Hilfe?</translation>
-    </message>
-    <message>
-        <source>Review</source>
-        <translation>Auswertung</translation>
-    </message>
-    <message>
-        <source>What happened in that attempt?</source>
-        <translation>Was geschah in diesem Versuch?</translation>
-    </message>
-    <message>
-        <source>Setup</source>
-        <translation>Einrichtung</translation>
-    </message>
-    <message>
-        <source>Does the equipment work?</source>
-        <translation>Funktioniert die Ausrüstung?</translation>
-    </message>
-    <message>
-        <source>The program closed unexpectedly. 1 attempt was kept up to that moment.</source>
-        <translation>Das Programm wurde unerwartet beendet. 1 Versuch wurde bis zu diesem Augenblick behalten.</translation>
-    </message>
-    <message>
-        <source>The program closed unexpectedly. %1 attempts were kept up to that moment.</source>
-        <translation>Das Programm wurde unerwartet beendet. %1 Versuche wurden bis zu diesem Augenblick behalten.</translation>
-    </message>
-    <message>
         <source>Trainee view</source>
-        <translation>Ansicht des Trainees</translation>
+        <translation>Trainee</translation>
     </message>
     <message>
         <source>The scene for two eyes in a window of its own (F9)</source>
@@ -2524,30 +2537,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Put back</source>
-        <translation>Zurücklegen</translation>
-    </message>
-    <message>
-        <source>Mark</source>
-        <translation>Markierung</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Instructor</source>
-        <translation>Ausbilder</translation>
-    </message>
-    <message>
         <source>Show frame rate</source>
         <translation>Bildrate zeigen</translation>
     </message>
@@ -2556,80 +2545,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Versuch öffnen</translation>
     </message>
     <message>
-        <source>Swage attempts (*.swage);;All files (*)</source>
-        <translation>Swage-Versuche (*.swage);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Stations</source>
-        <translation>Plätze</translation>
-    </message>
-    <message>
-        <source>Who does what at every station, now?</source>
-        <translation>Wer tut gerade was an welchem Platz?</translation>
-    </message>
-    <message>
-        <source>Message read, lesson taken</source>
-        <translation>Nachricht gelesen, Lektion genommen</translation>
-    </message>
-    <message>
-        <source>Lesson not now</source>
-        <translation>Lektion nicht jetzt</translation>
-    </message>
-    <message>
-        <source>%1   (F3: read)</source>
-        <translation>%1   (F3: gelesen)</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Führung</translation>
-    </message>
-    <message>
-        <source>The lesson was taken in.</source>
-        <translation>Die Lektion wurde aufgenommen.</translation>
-    </message>
-    <message>
-        <source>▲ %1</source>
-        <translation>▲ %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-    <message>
-        <source>Saved as a lesson of your own.</source>
-        <translation>Als eigene Lektion gespeichert.</translation>
-    </message>
-    <message>
         <source>Eyes…</source>
         <translation>Augen…</translation>
     </message>
     <message>
         <source>Quit</source>
         <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>A lesson is running. Closing the window stops it.</source>
-        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie.</translation>
-    </message>
-    <message>
-        <source>A lesson is running. Closing the window stops it; the attempt is kept as stopped.</source>
-        <translation>Eine Lektion läuft. Wird das Fenster geschlossen, endet sie; der Versuch wird als abgebrochen aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>Close Swage?</source>
-        <translation>Swage schließen?</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>Abbrechen und schließen</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weitermachen</translation>
-    </message>
-    <message>
-        <source>The window was closed while a lesson ran: that attempt is kept as stopped.</source>
-        <translation>Das Fenster wurde geschlossen, während eine Lektion lief: Der Versuch ist als abgebrochen aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -4457,7 +4378,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>An attempt runs, or no lesson is chosen on the Run page.</source>
-        <translation>Ein Versuch läuft, oder auf der Seite Ausführen ist keine Lektion gewählt.</translation>
+        <translation>Ein Versuch läuft, oder auf der Seite Üben ist keine Lektion gewählt.</translation>
     </message>
     <message>
         <source> Nothing is kept.</source>
@@ -4502,6 +4423,13 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source> It is that of %1, and not used for %2.</source>
         <translation> Es gilt für %1 und wird für %2 nicht benutzt.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StationMessages</name>
+    <message>
+        <source>%1   (F3: read)</source>
+        <translation>%1   (F3: gelesen)</translation>
     </message>
 </context>
 <context>
@@ -5147,6 +5075,112 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::WindowKeys</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Ausbilder</translation>
+    </message>
+    <message>
+        <source>Message read, lesson taken</source>
+        <translation>Nachricht gelesen, Lektion genommen</translation>
+    </message>
+    <message>
+        <source>Lesson not now</source>
+        <translation>Lektion nicht jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::WindowPages</name>
+    <message>
+        <source>Run</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>What is happening now?</source>
+        <translation>Was geschieht jetzt?</translation>
+    </message>
+    <message>
+        <source>The program closed unexpectedly. 1 attempt was kept up to that moment.</source>
+        <translation>Das Programm wurde unerwartet beendet. 1 Versuch wurde bis zu diesem Augenblick behalten.</translation>
+    </message>
+    <message>
+        <source>The program closed unexpectedly. %1 attempts were kept up to that moment.</source>
+        <translation>Das Programm wurde unerwartet beendet. %1 Versuche wurden bis zu diesem Augenblick behalten.</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>What can be practised, and what does it ask for?</source>
+        <translation>Was lässt sich üben, und was fordert es?</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kurse</translation>
+    </message>
+    <message>
+        <source>In what order, and when is it passed?</source>
+        <translation>In welcher Reihenfolge, und wann ist es bestanden?</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Who is where, and who needs help?</source>
+        <translation>Wer steht wo, und wer braucht Hilfe?</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>What happened in that attempt?</source>
+        <translation>Was geschah in diesem Versuch?</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Does the equipment work?</source>
+        <translation>Funktioniert die Ausrüstung?</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Who does what at every station, now?</source>
+        <translation>Wer tut gerade was an welchem Platz?</translation>
     </message>
 </context>
 <context>

@@ -9,12 +9,12 @@ namespace swage::console {
 namespace {
 
 constexpr double kGlide_s = 0.09;  // time constant; longer feels sluggish, shorter jumps
-constexpr float kStray = 0.5F;     // of the half height of the picture
-constexpr float kInside = 0.8F;    // of the half picture: what is to stay in it lies within
-constexpr float kLeastRoom = 0.3F; // of that at the focus: nearer to the viewer nothing is looked at
-constexpr float kBack = 1.25F;     // a step back; smaller ones make a picture that breathes
+constexpr float kStray = 0.5F;     // of half the picture's height: a followed point may move so far from the middle
+constexpr float kInside = 0.8F;    // of half the picture: followed points stay within this share
+constexpr float kLeastRoom = 0.3F; // of the room at the focus: lower limit for points nearer to the viewer
+constexpr float kBack = 1.25F;     // factor of one step back; with smaller steps the picture changes all the time
 constexpr float kMostBack = 2;     // further away the needle is too small to be worked on
-constexpr float kSpare = 0.85F;    // of what fits: only then the picture comes a step nearer again
+constexpr float kSpare = 0.85F;    // of the room available: below this share the camera steps nearer again
 constexpr float kNear = 0.7F;      // of the distance at which everything is framed
 constexpr float kDeg = 0.017453292F;
 
@@ -76,7 +76,7 @@ OrbitCamera OrbitCamera::nearer(float mm) const {
 
 void OrbitCamera::release() { held_ = false; }
 
-// the short way round
+// takes the shorter of the two rotations
 void OrbitCamera::look_from(float yaw_deg) {
   if (held_) return;
   goal_.yaw = yaw_deg;
@@ -110,7 +110,7 @@ void OrbitCamera::follow(const QVector3D& point) {
 void OrbitCamera::follow_both(const QVector3D& point, const QVector3D& other, float shape) {
   follow(point);
   if (!follows_) return;
-  // Across the picture at its focus, in the units of its height; z: how much room a point has there, less than 1 where it is nearer.
+  // Position across the picture at its focus, in units of its height; z: scale of the visible room at the point's depth, < 1 if nearer.
   const QQuaternion q = q_WC();
   const float distance = goal_.distance / backed_;
   const auto across = [&](const QVector3D& p) {
@@ -124,7 +124,7 @@ void OrbitCamera::follow_both(const QVector3D& point, const QVector3D& other, fl
   while (back < kMostBack && apart > half * back) back *= kBack;
   if (back < backed_ && apart > kSpare * half * back) back = backed_;
   goal_.distance *= back / std::exchange(backed_, back);
-  // the first of both stays in the picture, come what may
+  // the first point has priority: it always stays in the picture
   const float inside_a = half * back * a.z(), inside_b = half * back * b.z();
   const auto shift = [&](float first, float second) {
     const float wanted = second - std::clamp(second, -inside_b, inside_b);
@@ -143,7 +143,7 @@ bool OrbitCamera::advance(double dt_s) {
   const auto k = static_cast<float>(1 - std::exp(-std::max(dt_s, 0.0) / kGlide_s));
   const QVector3D df = goal_.focus - now_.focus;
   const float dy = goal_.yaw - now_.yaw, dp = goal_.pitch - now_.pitch, dd = goal_.distance - now_.distance;
-  // below a tenth of a pixel the picture rests
+  // below a tenth of a pixel the camera is at rest
   const float eps = 2e-4F;
   if (df.length() < eps * now_.distance && std::abs(dy) < 0.02F && std::abs(dp) < 0.02F &&
       std::abs(dd) < eps * now_.distance) {

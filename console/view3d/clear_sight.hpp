@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A clear sight of the work: an instrument is cut off where it stands between a viewer and the needle. Free of Qt3D.
+// A clear sight of the needle: instruments are cut away where they stand between the viewer and the needle. Free of Qt3D.
 #pragma once
 
 #include <QVector3D>
@@ -8,20 +8,20 @@
 
 namespace swage::console {
 
-/// The round place that is kept clear. Lengths in mm, world frame.
+/// The disc that is kept visible. Lengths in mm, world frame.
 struct ClearSight {
   QVector3D centre;
-  float radius = 0;  // of what is kept clear, in the plane through the centre; 0: instruments are drawn whole
-  float kept = 0;    // an instrument nearer to that plane than this is drawn whole: its jaws and what they hold
+  float radius = 0;  // of the disc, in the plane through the centre facing the viewer; 0: instruments are drawn whole
+  float kept = 0;    // depth before that plane within which instruments are drawn whole: jaws and what they hold
 
   bool operator==(const ClearSight&) const = default;
 };
 
-/// Over so much of the radius, and of the depth that is kept, an instrument fades. Smaller: a hard edge; larger: half of the picture fades.
+/// Share of radius and depth over which an instrument fades out. Smaller: a hard edge; larger: half of the picture fades.
 inline constexpr float kClearFade = 0.3F;
 
-/// How much of a surface at `p` stands before the round place about `at`, seen from `eye`: 0 nothing, 1 all. Text that is both C++ and
-/// GLSL: cleared() below and the fragment shader of solid parts (qt3d_material.cpp) are made of it.
+/// How much a surface at `p` hides the disc about `at`, seen from `eye`: 0 not at all, 1 fully. The text is valid C++ and
+/// GLSL: cleared() below and the fragment shader of solid parts (qt3d_material.cpp) are compiled from it.
 #define SWAGE_CLEAR_SIGHT_FORMULA                                                \
   float hides(vec3 eye, vec3 at, vec3 p, float radius, float kept, float fade) { \
     float distance = length(at - eye);                                           \
@@ -32,7 +32,7 @@ inline constexpr float kClearFade = 0.3F;
            (1.0F - smoothstep(radius, radius * (1.0F + fade), aside));           \
   }
 
-/// The functions of GLSL that the formula calls.
+/// The GLSL functions used by the formula.
 namespace clear_sight_formula {
 using vec3 = QVector3D;
 inline float length(const vec3& v) { return v.length(); }
@@ -44,7 +44,7 @@ inline float smoothstep(float from, float to, float x) {
 inline SWAGE_CLEAR_SIGHT_FORMULA
 }  // namespace clear_sight_formula
 
-/// How much of an instrument's surface at `p` is left out of the picture for this eye: 0 none, 1 all.
+/// Share of an instrument's surface at `p` that is left out of this eye's picture: 0 none, 1 all.
 inline float cleared(const ClearSight& sight, const QVector3D& eye, const QVector3D& p) {
   return sight.radius <= 0 ? 0.F : clear_sight_formula::hides(eye, sight.centre, p, sight.radius, sight.kept, kClearFade);
 }

@@ -11,9 +11,9 @@
 
 namespace swage::console {
 
-/// The index of the corner in which an inset covers least. `must` are places that it may cover only if there is no corner without
-/// one (the tips, what they go for), `rather` are those that it had better leave free (whatever else can be taken). The present
-/// corner `now` stays until it covers one of `must`, so that an inset does not jump while somebody aims; -1: there is none yet.
+/// The index of the corner in which an inset covers least. `must`: places that it may cover only if every corner has one
+/// (the tips, their target). `rather`: places of lower priority (other objects that can be grasped). The present
+/// corner `now` stays until it covers one of `must`, so that an inset does not jump during aiming; -1: no corner yet.
 inline int least_covered(const std::array<QRectF, 3>& corners, int now, const std::vector<QPointF>& must,
                          const std::vector<QPointF>& rather) {
   const auto covered = [&](int corner) {

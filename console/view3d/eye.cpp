@@ -9,22 +9,22 @@ namespace swage::console {
 namespace {
 
 constexpr float kEyeDeg = 0.017453292F;
-constexpr float kDown_deg = 45;  // a camera that looks down more steeply is crossed from the front
+constexpr float kDown_deg = 45;  // for a camera that looks down more steeply the second view is from the front
 
-constexpr float kClear = 2;  // radii before a wound in which things are seen: jaws beyond would hide it
+constexpr float kClear = 2;  // radii before a wound that are drawn: jaws nearer to the viewer would hide it
 constexpr float kSteep_deg =
-    55;  // at which a wound is looked at: its lips stand out, its shape is not foreshortened
+    55;  // elevation from which a wound is seen: its lips stand out, its shape is not foreshortened
 
-// half the height of what a camera sees at a distance of 1
+// half the height of the view at a distance of 1
 float half_height() { return std::tan(0.5F * OrbitCamera::kFovDeg * kEyeDeg); }
 
-// near and far follow the distance, so that depth is spent where the scene is
+// near and far planes scale with the distance, for depth resolution near the scene
 float near_of(float distance) { return 0.05F * distance; }
 float far_of(float distance) { return 20 * distance; }
 
 Eye aside(const OrbitCamera& camera, float offset, float convergence, float aspect) {
   const float d = camera.distance(), n = near_of(d), h = n * half_height();
-  const float shift = offset * n / convergence;  // of the window, back towards the middle
+  const float shift = offset * n / convergence;  // of the frustum's window, back towards the middle
   const QVector3D right = camera.q_WC().rotatedVector({1, 0, 0});
   Eye eye;
   eye.position = camera.eye() + offset * right;

@@ -9,10 +9,10 @@
 
 namespace swage::console {
 
-/// Times between pictures while something moves. The last few hundred are kept: some seconds.
+/// Intervals between pictures during motion. The last few hundred are kept: some seconds.
 class FrameTimes {
  public:
-  /// A picture came at this time.
+  /// Records a picture at this time.
   void add(int64_t now_ns) {
     const double gap_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
     if (last_ns_ >= 0 && gap_s < kRest_s) {
@@ -21,17 +21,17 @@ class FrameTimes {
     }
     last_ns_ = now_ns;
   }
-  /// A time that is known, s.
+  /// Adds a known interval, s.
   void add_time(double s) {
     s_[next_ % s_.size()] = s;
     ++next_;
   }
-  /// How many there have been at all.
+  /// Number of intervals ever recorded.
   size_t total() const { return next_; }
-  /// Nothing moves: the time to the next picture tells nothing.
+  /// Motion has ended: the time to the next picture is not an interval.
   void rest() { last_ns_ = -1; }
   size_t count() const { return std::min(next_, s_.size()); }
-  /// The time that this share of them did not exceed, s; 0 when there are none.
+  /// The quantile `p` of the intervals, s; 0 when there are none.
   double share(double p) const {
     std::array<double, kKept> sorted = s_;
     const size_t n = count();
@@ -44,7 +44,7 @@ class FrameTimes {
 
  private:
   static constexpr size_t kKept = 300;
-  static constexpr double kRest_s = 1;  // a longer gap is a rest
+  static constexpr double kRest_s = 1;  // a longer gap is not counted as an interval
   std::array<double, kKept> s_{};
   size_t next_ = 0;
   int64_t last_ns_ = -1;

@@ -49,7 +49,7 @@ bool GhostTools::show(std::span<const swage_pose> X_WB) {
   return true;
 }
 
-// No state by colour alone: whose instruments these are stands beside them.
+// State is not told by colour alone: the name of the instruments' owner stands beside them.
 void GhostTools::paint(Overlay& overlay, const Eye& eye, const QSizeF& size) const {
   if (!shown()) return;
   for (const std::vector<Spot>& tips : tips_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Somebody else's instruments in the scene, seen through: an expert's beside a trainee's, or those of another attempt. [main]
+// Translucent instruments of another attempt or of an expert, drawn in the trainee's scene. [main]
 #pragma once
 
 #include <QString>
@@ -19,25 +19,25 @@ class GhostTools {
  public:
   /// Nothing is drawn without a renderer.
   explicit GhostTools(Renderer* renderer) : renderer_(renderer) {}
-  /// The tools of a card, not seen before show(); the parts are added last and leave first.
+  /// Adds the tools of a card, hidden until show(); these parts are the renderer's last, so that they can be removed first.
   void set(const snapshot::SceneCard& card, const QString& name, const UiTheme& ui);
-  /// Takes them out of the renderer.
+  /// Removes the parts from the renderer.
   void drop();
-  /// The renderer has been cleared of them.
+  /// To be called when the renderer was cleared.
   void forget();
   void colour(const UiTheme& ui);
-  /// Where they are; none: they are not shown. Whether the picture changed.
+  /// Sets the poses; empty: hides the tools. Returns whether the picture changed.
   bool show(std::span<const swage_pose> X_WB);
   bool shown() const { return there_ && shown_; }
-  /// The name at the tips of each.
+  /// Draws the name at the tips of each instrument.
   void paint(Overlay& overlay, const Eye& eye, const QSizeF& size) const;
 
  private:
   Renderer* renderer_;
   bool there_ = false, shown_ = false;
   QString name_;
-  std::vector<std::pair<int, uint32_t>> part_;  // of the renderer, and its body
-  std::vector<std::vector<Spot>> tips_;         // of each instrument
+  std::vector<std::pair<int, uint32_t>> part_;  // index of the part in the renderer, and its body
+  std::vector<std::vector<Spot>> tips_;         // by instrument
   std::vector<swage_pose> X_WB_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Which of several tools that share the mouse is led now. Free of Qt3D.
+// Selects the active tool among several that share the mouse. Free of Qt3D.
 #pragma once
 
 #include "snapshot/scene_card.hpp"
@@ -8,11 +8,11 @@
 
 namespace swage::console {
 
-/// How many instruments of the scene are led by mouse and keys; Tab hands over between them.
+/// Number of instruments driven by mouse and keys; Tab switches between them.
 int mouse_hands(const snapshot::SceneCard& card);
 
-/// The gripper that mouse and keys lead now: of hands that share a mouse only the led one has buttons, and its tool is where it is.
-/// SWAGE_NONE where there is one hand, or none.
+/// The gripper that mouse and keys drive now: of several mouse devices only the active one sends buttons.
+/// SWAGE_NONE where there are fewer than two.
 uint32_t led_tool(const snapshot::SceneCard& card, const snapshot::Snapshot& now);
 
 }  // namespace swage::console

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kAround =
-    28;  // facets round a wire: the outline of a wire 60 px thick bends by less than half a pixel
+    28;  // facets around a wire: the outline of a wire 60 px thick deviates by less than half a pixel
 constexpr int kCapRings = 7;
 
-// a ring of a surface of revolution: its place along the axis, its radius, and the slope of its normal
+// a ring of a surface of revolution: its position along the axis, its radius, and the slope of its normal
 struct Ring {
   double along, radius, n_along, n_out;
 };
@@ -73,14 +73,14 @@ void append_cylinder(const snapshot::CardShape& s, Mesh& mesh) {
   revolve(mesh, s.X_BS, {{h, r, 1, 0}, {h, 0, 1, 0}});
 }
 
-constexpr double kPoint = 0.12;  // of the wire's radius: the very tip of a pointed wire
+constexpr double kPoint = 0.12;  // of the wire's radius: radius at the very tip of a pointed wire
 
 // one ring of a tube: centre, tangent, and two directions across it
 struct Station {
   Vec centre, tangent, out, side;
 };
 
-// a tube with round ends through stations, pointed over a length of `taper` at its start; normals point away from the centre line
+// a tube with round ends through the stations, tapered over the length `taper` at its start; normals point away from the centre line
 void tube(Mesh& mesh, const std::vector<Station>& line, double radius, double taper = 0) {
   const auto first = static_cast<uint32_t>(mesh.vertex.size());
   uint32_t rings = 0;
@@ -155,7 +155,7 @@ void append_thread(const double* points, uint32_t n, double radius, Mesh& mesh, 
   Vec out{0, 0, 0};
   for (uint32_t i = 0; i < n; ++i) {
     const Vec tangent = normalized(at(std::min(i + 1, n - 1)) - at(i > 0 ? i - 1 : 0));
-    // carry the cross direction along, so that the tube does not twist
+    // parallel transport of the cross direction, so that the tube does not twist
     if (i == 0) out = any_perpendicular(tangent);
     out = normalized(out - tangent * dot(out, tangent));
     line.push_back({at(i), tangent, out, cross(tangent, out)});

@@ -10,7 +10,7 @@
 
 namespace swage::console {
 
-/// The view works in millimetres: a needle is 6 units long and depth buffers and floats are at ease.
+/// Millimetres per metre. The view works in mm: a needle is 6 units long, well scaled for floats and depth buffers.
 inline constexpr double kMmPerM = 1000.0;
 
 struct Vertex {
@@ -26,15 +26,15 @@ struct Mesh {
 
 /// Adds the surface of `shape`, placed by X_BS, in mm. Round things get smooth normals, convex ones flat
 /// normals.
-/// `taper`: m, length over which a bent wire is drawn pointed at its start, 0 for none.
+/// `taper`: m, length of the drawn point of a bent wire at its start, 0 for none.
 void append_shape(const snapshot::CardShape& shape, Mesh& mesh, double taper = 0);
 
 /// Adds the part [from, to] (0..1 along it) of a wire (arc, capsule, cylinder) as a sleeve that is `grow`
-/// times as thick: the mark of a region, drawn over the wire itself.
+/// times as thick: a marked region, drawn over the wire itself.
 void append_range(const snapshot::CardShape& wire, double from, double to, double grow, Mesh& mesh);
 
 /// A tube through `n` points (3 n values, m, in the frame of the mesh), with round ends.
-/// `taper`: m, length over which it is drawn pointed at its start, 0 for none.
+/// `taper`: m, length of the drawn point at its start, 0 for none.
 void append_thread(const double* points, uint32_t n, double radius, Mesh& mesh, double taper = 0);
 
 }  // namespace swage::console

@@ -9,7 +9,7 @@
 namespace swage::console {
 namespace {
 
-constexpr float kBare_mm = 250;  // from which a bare eye looks closely: what a magnification refers to
+constexpr float kBare_mm = 250;  // viewing distance of the bare eye to which magnification refers
 const float kNotch = std::pow(kMostZoom / kLeastZoom, 0.1F);
 
 }  // namespace
@@ -26,7 +26,7 @@ void paint_field(QPainter& p, const QSizeF& size) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(Qt::NoPen);
-  // the working light is even over the middle half and falls to six tenths at the rim
+  // the working light is even over the middle half and falls to 0.6 at the rim
   QRadialGradient light(middle, radius);
   light.setColorAt(0, QColor(0, 0, 0, 0));
   light.setColorAt(0.5, QColor(0, 0, 0, 6));
@@ -36,7 +36,7 @@ void paint_field(QPainter& p, const QSizeF& size) {
   p.drawEllipse(middle, radius, radius);
   QPainterPath around;
   around.addRect(QRectF(QPointF(), size));
-  around.addEllipse(middle, radius, radius);  // odd-even: all but the ellipse
+  around.addEllipse(middle, radius, radius);  // odd-even fill: everything outside the ellipse
   p.setBrush(QColor(4, 4, 5));
   p.drawPath(around);
   p.restore();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Meshes that are made anew as their object bends: a wire of several bodies, a thread.
+// Meshes that are rebuilt as their object bends: a wire of several bodies, a thread.
 #include "console/view3d/region_look.hpp"
 #include "console/view3d/scene_parts.hpp"
 

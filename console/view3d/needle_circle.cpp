@@ -9,7 +9,7 @@ namespace swage::console {
 namespace {
 
 constexpr int kPoints = 33;         // of an arc: 0.1 mm apart on a needle of 3 mm
-constexpr float kStraight = 1e-3F;  // height over chord of what counts as straight
+constexpr float kStraight = 1e-3F;  // height over chord below which a wire counts as straight
 
 using Line = std::vector<QVector3D>;  // mm, world, from the point to the swage
 
@@ -32,7 +32,7 @@ Line line_of(const WireChain& chain, std::span<const swage_pose> X_WB) {
   return out;
 }
 
-/// Each bent wire that may be taken, once.
+/// Centre lines of all bent wires that may be grasped, each once.
 std::vector<Line> wires(const snapshot::SceneCard& card, const SceneParts& parts,
                         std::span<const swage_pose> X_WB) {
   std::vector<Line> out;
@@ -60,7 +60,7 @@ std::optional<NeedleCircle> through(const QVector3D& a, const QVector3D& b, cons
   const QVector3D to_centre = (QVector3D::crossProduct(w, u) * v.lengthSquared() +
                                QVector3D::crossProduct(v, w) * u.lengthSquared()) /
                               (2 * w.lengthSquared());
-  // right-handed about w one goes from a over b to c; the point, a, is to go first
+  // right-handed about w the order is a, b, c; the axis is reversed, as the point, a, must lead
   return NeedleCircle{a + to_centre, -w.normalized(), to_centre.length()};
 }
 

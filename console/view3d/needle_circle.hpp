@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The circle of the needle at the tips: what a hand turns about to drive it in. Free of Qt3D.
+// The circle of the needle at the tips, about whose axis the hand rotates to drive it. Free of Qt3D.
 #pragma once
 
 #include <QVector3D>
@@ -13,16 +13,16 @@ namespace swage::console {
 
 struct NeedleCircle {
   QVector3D centre;  // mm, world
-  QVector3D axis;    // unit; right-handed about it the point goes first
+  QVector3D axis;    // unit; a right-handed rotation about it moves the needle point first
   float radius = 0;  // mm
 };
 
-/// The mirror image in the plane x = 0, in which a lesson for the left hand is computed.
+/// The mirror image in the plane x = 0, for a lesson for the left hand, which is computed mirrored.
 inline NeedleCircle mirrored(const NeedleCircle& c) {
   return {{-c.centre.x(), c.centre.y(), c.centre.z()}, {c.axis.x(), -c.axis.y(), -c.axis.z()}, c.radius};
 }
 
-/// Through the point, the middle and the swage of the bent wire that is nearest to `tips` (mm, world), as it stands now. Nothing
+/// The circle through point, middle and swage of the bent wire nearest to `tips` (mm, world), in its present pose. No value
 /// where no wire is within `reach` mm, or it is straight.
 std::optional<NeedleCircle> needle_circle(const snapshot::SceneCard& card, const SceneParts& parts,
                                           std::span<const swage_pose> X_WB, const QVector3D& tips,

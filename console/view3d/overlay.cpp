@@ -8,13 +8,13 @@
 namespace swage::console {
 
 namespace {
-constexpr double kBelowClock_px = 62;  // cues stand below the clock
-constexpr double kApart_px = 3;        // between two labels
-constexpr double kAboutText_px = 8;    // by which a label is higher than its text
+constexpr double kBelowClock_px = 62;  // cues are drawn below the clock
+constexpr double kApart_px = 3;        // gap between two labels
+constexpr double kAboutText_px = 8;    // difference between the heights of a label and its text
 constexpr double kHintUp_px = 24;      // from the lower edge to the middle of the lowest line of a hint
-constexpr double kHintAround_px = 32;  // beside a line of a hint
+constexpr double kHintAround_px = 32;  // margin beside a line of a hint
 
-// a sentence that is longer than a line, broken between its words
+// the words of a sentence in lines of at most this width
 QStringList broken(const QString& sentence, const QFontMetricsF& metrics, double width) {
   if (metrics.horizontalAdvance(sentence) <= width) return {sentence};
   QStringList lines;
@@ -57,7 +57,7 @@ QString length_text(double mm) {
                   : QStringLiteral("%L1 mm").arg(mm, 0, 'g', 3);
 }
 
-// where a label may be: inside the picture, and clear of those that are there
+// a label's place: inside the picture and clear of the labels already drawn
 QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
   const QFontMetricsF metrics(font);
   const double h = metrics.height() + kAboutText_px, w = metrics.horizontalAdvance(text) + extra_left + 20;
@@ -74,7 +74,7 @@ QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& fo
   return r;
 }
 
-// a rounded label, with room before its text for signs
+// draws a rounded label, with room before its text for signs
 void Overlay::pill(const QRectF& r, const QString& text, const QFont& font, double extra_left) {
   const double h = r.height();
   QColor back = ui_["card"];
@@ -108,7 +108,7 @@ void Overlay::scale_bar(double mm_per_pixel, double left) {
 }
 
 void Overlay::cue(const QPointF& at, const CueStyle& style, int slot, double clear_px) {
-  // a line from the grasp to its label, out of the way of the tips
+  // a line from the grasp to its label, which is clear of the tips
   const QFont font = p_.font();
   const double sign = 22, signs = sign * static_cast<double>(style.shape.size()) + 6;
   QPointF label = at + QPointF(slot == 1 ? -120 : 120, slot == 2 ? 64 : -84);
@@ -197,7 +197,7 @@ void Overlay::clock(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);
   font.setBold(true);
-  // a narrow picture, as one of two that are compared: smaller, then without the middle of the words; the time stays
+  // in a narrow picture, such as one of two that are compared, the text is smaller, then elided in the middle; the time is kept
   constexpr double kSmallest = 0.72, kAround_px = 32;
   const double room = std::max(0.0, area_.width() - kAround_px), needed = QFontMetricsF(font).horizontalAdvance(text);
   if (needed > room) font.setPointSizeF(font.pointSizeF() * std::max(kSmallest, room / needed));
@@ -208,7 +208,7 @@ void Overlay::banner(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.5);
   font.setBold(true);
-  // above the bar of scale; the cues stand above the grasp
+  // above the scale bar; the cues are drawn above the grasp
   pill({area_.center().x(), area_.bottom() - 68}, text, font);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is painted over the 3D picture: scale bar, cue at the grasp, contact forces, clock and banner.
+// Paints over the 3D picture: scale bar, cue at the grasp, contact forces, clock and banner.
 #pragma once
 
 #include <QPainter>
@@ -17,42 +17,42 @@ namespace swage::console {
 double nice_scale_mm(double mm_per_pixel, double most_px);
 QString length_text(double mm);
 
-/// Between the parts of a hint.
+/// Separator of the parts of a hint.
 inline constexpr char16_t kHintGap[] = u"   ·   ";
 
-/// A mark is at least so large: what happens in its middle is to be seen.
+/// Smallest radius of a mark: its middle must stay visible.
 inline constexpr double kLeastMark_px = 9;
 
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
-  /// `left`: what is taken at the left of the picture, px.
+  /// `left`: px that are covered at the left of the picture.
   void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
-  /// `clear_px`: a ring of this radius instead of a dot, so that what is there stays to be seen.
+  /// `clear_px`: radius of a ring drawn instead of a dot, so that the place itself stays visible.
   void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);
-  /// A ring that fills clockwise while something is held.
+  /// A ring that fills clockwise during a hold, by `share`.
   void ring(const QPointF& at, double share, double radius_px = 17);
-  /// A place to go to: its circle.
+  /// The circle of a target.
   void target(const QPointF& at, double radius_px, const CueStyle& style);
-  /// Its sign and its word, below the circle.
+  /// The sign and the text of a target, below its circle.
   void target_word(const QPointF& at, double radius_px, const CueStyle& style);
-  /// The tool that is led, of several: a triangle below its tips, and its name.
+  /// Marks the active tool, of several: a triangle below its tips, and its name.
   void led(const QPointF& at, const QString& name);
-  /// Whose instrument is seen through here: a thin line to a name.
+  /// The owner's name of a translucent instrument, with a thin line to it.
   void ghost(const QPointF& at, const QString& name);
   void force(const QPointF& from, const QPointF& to);
-  /// No label of those to come lies there.
+  /// Keeps later labels off this area.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }
   void clock(const QString& text);
-  /// What an inset shows, at its top left.
+  /// The title of an inset, at its top left.
   void caption(const QString& text);
   void banner(const QString& text);
-  /// Parts joined by kHintGap, in as many lines as they need between `left` and `right`, px of the picture; the last one lies lowest.
+  /// Parts joined by kHintGap, in as many lines as needed between `left` and `right`, px of the picture; the last line is the lowest.
   void hint(const QString& text, double left, double right);
-  /// The height that it takes at the lower edge, px: labels of the picture stand above it.
+  /// The height of a hint at the lower edge, px: labels of the picture are placed above it.
   static double hint_height(const QString& text, const QFont& font, double left, double right);
-  /// What an instructor says: in the upper left corner, in as many lines as it takes, clear of what is worked on in the middle.
+  /// An instructor's message: in the upper left corner, in as many lines as needed, clear of the middle of the picture.
   void message(const QString& text);
 
  private:
@@ -62,8 +62,8 @@ class Overlay {
   QPainter& p_;
   QRectF area_;
   const UiTheme& ui_;
-  QFont font_;                 // of what is said in passing
-  std::vector<QRectF> taken_;  // by labels
+  QFont font_;                 // of transient texts
+  std::vector<QRectF> taken_;  // areas of labels
 };
 
 }  // namespace swage::console

@@ -9,21 +9,21 @@
 namespace swage::console {
 namespace {
 
-constexpr double kSecond = 0.36;       // height of the second view, of that of the first
-constexpr double kWidest = 0.42;       // width of an inset, of that of the first: a narrow picture stays to be seen
+constexpr double kSecond = 0.36;       // height of the second view over that of the first
+constexpr double kWidest = 0.42;       // largest width of an inset over that of the first view, which stays visible in a narrow picture
 constexpr double kSecondShape = 1.25;  // width over height
-constexpr int kTipsBeforeEnds = 3;     // one place at the tips is left free rather than both ends of what is taken
+constexpr int kTipsBeforeEnds = 3;     // weight of a place at the tips against the ends of an object that can be grasped
 constexpr double kMargin_px = 10;
 constexpr double kLoupeShape = 1;
-constexpr float kLeastLoupe_mm = 0.3F;  // half of what is shown of a clean prick: the wire fills a third of it
-constexpr float kLoupeRoom = 1.5F;      // around the wound
+constexpr float kLeastLoupe_mm = 0.3F;  // smallest radius of the loupe's view, for a clean puncture: the wire fills a third of it
+constexpr float kLoupeRoom = 1.5F;      // radius of the view over that of the wound
 constexpr float kLoupeStep = 1.5F;
-constexpr int kGap_px = 2;          // between panels in the picture: the renderer rounds to whole pixels
-constexpr double kClear_px = 24;    // between an inset and what it must not cover
-constexpr float kAround_mm = 0.9F;  // shown around the tips and what they are to take
-constexpr float kFurthest_mm = 6;   // from the tips: what is further off is not shown, the tips are
-constexpr double kGlide_s = 0.15;   // time constant with which the second view follows
-constexpr float kStill = 0.01F;     // of its size: a smaller move is none
+constexpr int kGap_px = 2;          // between panels in the picture, as the renderer rounds to whole pixels
+constexpr double kClear_px = 24;    // between an inset and places that it must not cover
+constexpr float kAround_mm = 0.9F;  // margin around the tips and their target
+constexpr float kFurthest_mm = 6;   // from the tips: a target further away is left out of the second view
+constexpr double kGlide_s = 0.15;   // time constant of the second view's motion
+constexpr float kStill = 0.01F;     // of its size: a smaller motion is ignored
 
 QRectF with_room(const QRectF& at) { return at.adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px); }
 
@@ -54,7 +54,7 @@ PanelLayout::Change PanelLayout::set_wound(const WoundPlace& wound) {
   return fit_loupe();
 }
 
-// The more there is to see the less it is magnified, in steps: a picture that breathes tells nothing. Under a drag it stays.
+// The magnification of the loupe changes in steps with the size of the wound, as a picture that changes all the time is hard to read.
 PanelLayout::Change PanelLayout::fit_loupe() {
   float wanted = 0;
   if (loupe_shown_ && !point_.stereo() && wound_.there())
@@ -99,14 +99,14 @@ std::vector<Panel> PanelLayout::panels() const {
   return out;
 }
 
-// the corners in the order in which they are liked: bottom left, bottom right, top left; clock and cues are at the top right
+// the corners in order of preference: bottom left, bottom right, top left; clock and cues are at the top right
 QRectF PanelLayout::corner_at(int corner, double shape) const {
   const double h = std::min(kSecond * size_.height(), kWidest * size_.width() / kSecondShape), w = shape * h;
   const double x = corner == 1 ? size_.width() - w - kMargin_px : kMargin_px;
   return {x, corner == 2 ? kMargin_px : size_.height() - h - kMargin_px, w, h};
 }
 
-// never over the tips, what they go for, a mark of the lesson, nor an end of what is worked on; nor over other things that can be taken, where another corner is free of them
+// never over the tips, their target, a mark of the lesson or an end of the object; other graspable objects are avoided where possible
 PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
   std::array<QRectF, 3> corners;
@@ -125,7 +125,7 @@ PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVec
   return Change::kMoved;
 }
 
-// nor the loupe over the tips, the wound or the second view
+// the loupe avoids the tips, the wound and the second view
 PanelLayout::Change PanelLayout::choose_loupe_corner() {
   if (loupe_mm_ <= 0 || held()) return Change::kNone;
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
@@ -148,7 +148,7 @@ PanelLayout::Change PanelLayout::advance(double dt_s) {
   return std::max(loupe, follow_tips(dt_s));
 }
 
-// Shows the tips and what they are to take, the larger the nearer they come.
+// Shows the tips and their target, magnified more the nearer they are to each other.
 PanelLayout::Change PanelLayout::follow_tips(double dt_s) {
   if (point_.stereo() || !second_shown_ || held() || scene_.parts().tips.empty()) return Change::kNone;
   const QVector3D tips = scene_.middle_of_tips();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The panels of a view: one, with or without insets in its corners, or the two eyes of a trainee. [main]
+// The panels of a view: one, with or without insets in its corners, or the two eyes of the trainee's window. [main]
 #pragma once
 
 #include <QRectF>
@@ -14,41 +14,41 @@
 
 namespace swage::console {
 
-/// A small view in a corner: at right angles near the jaws, which shows the depth to a person who has only a mouse; or a wound, magnified.
+/// A small view in a corner: perpendicular, near the jaws, which shows the depth to a person with a mouse only; or a wound, magnified.
 enum class Inset { kNone, kDepth, kWound };
 
-/// A part of the widget in which the scene is seen by one eye.
+/// A part of the widget that shows the scene for one eye.
 struct Panel {
   QRectF at;    // on the widget
-  QSizeF size;  // it is painted as large as this and then pressed into `at`
-  View view;    // and where it lies in the renderer's picture
+  QSizeF size;  // size at which it is painted, before it is scaled to `at`
+  View view;    // eye, and rectangle in the renderer's picture
   Inset inset = Inset::kNone;
 };
 
 class PanelLayout {
  public:
   PanelLayout(const SceneState& scene, const ViewPoint& point) : scene_(scene), point_(point) {}
-  /// Size of the widget, and device pixels of one of its pixels.
+  /// Size of the widget in its pixels, and device pixels per pixel.
   void set_area(const QSize& size, double ratio) { size_ = size, ratio_ = ratio; }
-  /// Insets of the last scene are gone.
+  /// Removes the insets of the last scene.
   void clear();
 
-  /// What has to be drawn anew: nothing, the same panels, or other ones.
+  /// What has to be redrawn: nothing, the same panels, or panels in other places.
   enum class Change { kNone, kMoved, kLaidOut };
   Change show_second(bool shown);
   Change show_loupe(bool shown);
   Change set_wound(const WoundPlace& wound);
-  /// Lets the second view follow the tips, and both insets keep clear of what is worked on.
+  /// Makes the second view follow the tips, and both insets avoid the object.
   Change advance(double dt_s);
-  /// While a drag began in this panel no inset moves, and all of the drag is the panel's.
+  /// During a drag that began in this panel no inset moves, and the whole drag is the panel's.
   void hold(std::optional<Inset> dragged_in) { dragged_in_ = dragged_in; }
   bool held() const { return dragged_in_.has_value(); }
 
   std::vector<Panel> panels() const;
   Panel at(const QPointF& position) const;
-  /// Pixels of the renderer's picture: all panels beside each other.
+  /// Size of the renderer's picture, px: all panels side by side.
   QSize canvas() const;
-  /// Of the first panel, in the plane of the focus.
+  /// Of the first panel, in the focal plane.
   double mm_per_pixel() const;
 
  private:
@@ -67,9 +67,9 @@ class PanelLayout {
   WoundPlace wound_;
   std::optional<Inset> dragged_in_;
   bool second_shown_ = false, loupe_shown_ = true;
-  Bounds second_;         // what the second view shows now
-  int corner_ = 0;        // where it lies
-  int loupe_corner_ = 1;  // and the loupe
+  Bounds second_;         // sphere that the second view shows now
+  int corner_ = 0;        // corner of the second view
+  int loupe_corner_ = 1;  // corner of the loupe
   float loupe_mm_ = 0;    // radius of what the loupe shows, 0 for no loupe
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// When a picture of the scene is drawn, how often pictures come, and how long a movement takes to its picture. Free of Qt. [main]
+// Decides when a picture of the scene is drawn; measures the picture rate and the latency from movement to picture. Free of Qt. [main]
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace swage::console {
 
 class PicturePace {
  public:
-  /// Something changed: at least so many pictures are to come. Meshes load in the background, and the first are without them.
+  /// A change: at least so many pictures are to be drawn. Meshes load in the background, and the first pictures lack them.
   void want(int pictures) {
     to_draw_ = std::max(to_draw_, pictures);
     alike_ = 0;
   }
-  /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
+  /// No motion, and the last pictures were equal: the picture is complete, however slow the machine.
   bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
 
-  /// Asked at each tick of the display; whether a picture is drawn now. A processor that draws has less left for the session: every other
-  /// picture is enough for it.
+  /// To be called at each tick of the display; true when a picture is drawn now. Software rendering takes processor time from the session:
+  /// it draws every other picture.
   bool due(bool by_processor) {
     if (resting()) {
       moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
@@ -35,17 +35,17 @@ class PicturePace {
     if (sampled_ns_ >= 0 && drawn_ns_ < 0) drawn_ns_ = sampled_ns_;
     return true;
   }
-  /// A hand moved the instrument.
+  /// A person moved the instrument.
   void moved(int64_t now_ns) {
     if (moved_ns_ < 0) moved_ns_ = now_ns;
   }
-  /// A snapshot came that is another than the last: it may show the movement.
+  /// A new snapshot came: it may show the movement.
   void sampled() {
     if (moved_ns_ >= 0 && sampled_ns_ < 0) sampled_ns_ = moved_ns_;
   }
-  /// A picture came that is still empty.
+  /// A picture without content came.
   void empty() { alike_ = 0; }
-  /// A picture came; `same` as the last.
+  /// A picture came; `same`: equal to the last one.
   void arrived(int64_t now_ns, bool same) {
     alike_ = same ? alike_ + 1 : 0;
     frames_.add(now_ns);
@@ -54,28 +54,28 @@ class PicturePace {
     shows_ns_ = drawn_ns_;
     moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
   }
-  /// The last picture that came is on its way to the screen.
+  /// The last picture was painted to the screen.
   void painted(int64_t now_ns) {
     if (shows_ns_ >= 0) latency_.add_time(1e-9 * static_cast<double>(now_ns - std::exchange(shows_ns_, -1)));
   }
 
   const FrameTimes& frames() const { return frames_; }
-  /// Pictures that came.
+  /// Number of pictures received.
   uint64_t count() const { return arrived_; }
-  /// From a movement to the first picture painted that can show it.
+  /// From a movement to the first painted picture that can show it.
   const FrameTimes& latency() const { return latency_; }
 
  private:
-  static constexpr int kAlike = 3;  // pictures in a row; less, and a mesh that is still being loaded is missed
-  int to_draw_ = 0;                 // pictures still wanted
-  int alike_ = 0;                   // pictures in a row that were the same
+  static constexpr int kAlike = 3;  // equal pictures in a row; with less, a mesh still being loaded is missed
+  int to_draw_ = 0;                 // pictures still to draw
+  int alike_ = 0;                   // equal pictures in a row
   bool skip_ = false;
   FrameTimes frames_, latency_;
   uint64_t arrived_ = 0;
   int64_t moved_ns_ = -1;    // the oldest movement that no picture shows yet
-  int64_t sampled_ns_ = -1;  // and that a snapshot since then may show
-  int64_t drawn_ns_ = -1;    // and that the picture under way shows
-  int64_t shows_ns_ = -1;    // and that the next paint brings to the screen
+  int64_t sampled_ns_ = -1;  // of these, the movement that a snapshot since then may show
+  int64_t drawn_ns_ = -1;    // of these, the movement that the picture being drawn shows
+  int64_t shows_ns_ = -1;    // of these, the movement that the next paint shows
 };
 
 }  // namespace swage::console

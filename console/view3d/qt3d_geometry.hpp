@@ -9,7 +9,7 @@
 
 namespace swage::console {
 
-/// A mesh on its way to the graphics card; its triangles may be replaced at any time.
+/// A mesh as a Qt3D geometry; its triangles may be replaced at any time.
 class MeshGeometry : public Qt3DRender::QGeometryRenderer {
  public:
   explicit MeshGeometry(Qt3DCore::QNode* parent);

@@ -23,7 +23,7 @@ namespace {
 
 using namespace Qt3DRender;
 
-constexpr int kReduced = 4;  // pixels of the picture along one of the small copy
+constexpr int kReduced = 4;  // pixels of the picture per pixel of the small copy, in each direction
 
 const char* const kVertex = R"(#version 330 core
 in vec3 vertexPosition;
@@ -33,8 +33,8 @@ void main() {
   gl_Position = vec4(vertexPosition.xy, 0.0, 1.0);
 })";
 
-// How unsharp a pixel is, 0..1, from its depth: the diameter of its disc over that of the blurred copy's, and no more. lens: distance of the
-// focus, that share for each mm off it, and the two numbers of the projection by which z = b / (depth + a).
+// Blur of a pixel, 0..1, from its depth: the diameter of its disc over that of the blurred copy, at most 1. lens: focus distance,
+// that ratio per mm off the focus, and the two numbers a, b of the projection by which z = b / (depth + a).
 const char* const kUnsharp = R"(
 uniform sampler2D depth;
 uniform vec4 lens;
@@ -44,7 +44,7 @@ float unsharp(vec2 at) {
 })";
 const char* const kVersion = "#version 330 core\n";
 
-// A quarter of the size: the mean of 16 pixels, of those out of focus most, so that what is sharp casts no halo. Its alpha is that of the
+// A quarter of the size: the mean of 16 pixels, weighted by blur, so that sharp objects get no halo. Alpha is that of the
 // picture, which is premultiplied.
 const char* const kReduce = R"(
 in vec2 uv;
@@ -63,7 +63,7 @@ void main() {
   fragColor = sum / weight;
 })";
 
-// a disc of nine taps, six pixels of the picture in radius
+// blur by nine taps on a disc, radius six pixels of the picture
 const char* const kBlur = R"(
 in vec2 uv;
 out vec4 fragColor;
@@ -114,7 +114,7 @@ void LensPasses::build(QFrameGraphNode* graph, Qt3DCore::QNode* root, QAbstractT
   result_ = mixed.target;
 }
 
-// One triangle over a whole target.
+// Draws one triangle over a whole target.
 LensPasses::Pass LensPasses::add_pass(Qt3DCore::QNode* root, QCamera* camera, size_t layer, const std::string& fragment,
                                       const std::vector<std::pair<const char*, QAbstractTexture*>>& reads) {
   auto* selector = new QRenderTargetSelector(awake_);
@@ -156,7 +156,7 @@ LensPasses::Pass LensPasses::add_pass(Qt3DCore::QNode* root, QCamera* camera, si
 void LensPasses::set(const Lens& lens, const QMatrix4x4& projection) {
   awake_->setEnabled(lens.on);
   if (!lens.on) return;
-  // depth = -a + b / z, of a frustum with z counted away from the eye
+  // depth = -a + b / z for a frustum, with z the distance from the eye
   const float a = projection(2, 2), b = projection(2, 3);
   for (QParameter* p : lens_) p->setValue(QVector4D(lens.focus_mm, lens.aperture * lens.px_per_mm / kDisc_px, a, b));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Depth of field as a pass over the finished picture: a quarter-size copy of what is out of focus is blurred and mixed in by how far off a
-// pixel is. Three reads a pixel instead of the ten of a disc of nine taps at full size. [main]
+// Depth of field as a pass over the finished picture: a quarter-size copy of the pixels out of focus is blurred, and mixed in by each
+// pixel's distance from focus. Three reads per pixel instead of the ten of a disc of nine taps at full size. [main]
 #pragma once
 
 #include <QSize>
@@ -24,15 +24,15 @@ namespace swage::console {
 
 class LensPasses {
  public:
-  /// Layers of the passes, on which no part of the scene lies. Created first: the scene's passes leave them out.
+  /// Makes the layers of the passes, on which no part of the scene lies. To be created first: the scene's passes exclude these layers.
   explicit LensPasses(Qt3DCore::QNode* parent);
   const std::vector<Qt3DRender::QLayer*>& layers() const { return layers_; }
-  /// Reads the finished picture and its depth; draws below `graph`, with entities below `root`. Any camera will do.
+  /// Reads the finished picture and its depth; adds passes below `graph` and entities below `root`. Any camera will do.
   void build(Qt3DRender::QFrameGraphNode* graph, Qt3DCore::QNode* root, Qt3DRender::QAbstractTexture* colour, Qt3DRender::QAbstractTexture* depth,
              Qt3DRender::QCamera* camera);
-  /// Where the result is.
+  /// The target with the result.
   Qt3DRender::QRenderTarget* result() const { return result_; }
-  /// `projection`: of the eyes that the picture was drawn for; all have the same near and far plane.
+  /// `projection`: of the eyes of the picture, which all have the same near and far plane.
   void set(const Lens& lens, const QMatrix4x4& projection);
   void resize(const QSize& pixels);
 

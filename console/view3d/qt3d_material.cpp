@@ -62,9 +62,9 @@ void main() {
 #define SWAGE_TEXT_OF(...) #__VA_ARGS__
 #define SWAGE_TEXT(...) SWAGE_TEXT_OF(__VA_ARGS__)
 
-// Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel mirrors a small
-// studio: dark floor, grey wall, two soft boxes. Tissue is mottled, glows red where it turns from the light, and bears a
-// film of water on an uneven surface; jaws are brushed along their length.
+// Lights are fixed to the camera, as under a microscope: shapes are lit from every viewpoint. Steel mirrors a small
+// studio: dark floor, grey wall, two soft boxes. Tissue is mottled, reddish where it faces away from the light, with a
+// wet film on an uneven surface; jaws are brushed along their length.
 const char* const kSolidFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
@@ -155,7 +155,7 @@ void main() {
   fragColor = vec4(c, 1.0);
 })";
 
-// premultiplied: a pane of glass with a bright edge
+// premultiplied alpha: glass with a bright outline
 const char* const kGhostFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
@@ -178,7 +178,7 @@ void main() {
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 })";
 
-// premultiplied: the floor fades into whatever the picture is laid on
+// premultiplied alpha: the floor fades into the background
 const char* const kFloorFragment = R"(#version 330 core
 in vec2 place;
 out vec4 fragColor;
@@ -207,8 +207,8 @@ void main() {
   fragColor = vec4(c * a, a);
 })";
 
-// The parts once more, flattened on to the floor along several directions of a wide lamp: the shadow is sharp where
-// something touches and soft where it hovers, which tells height better than any number.
+// Projects the parts on to the floor along several directions of an area light: the shadow is sharp where
+// something touches and soft where it hovers, which conveys height.
 const char* const kShadowVertex = R"(#version 330 core
 in vec3 vertexPosition;
 out vec3 place;
@@ -242,7 +242,7 @@ void main() {
   fragColor = vec4(0.0, 0.0, 0.0, strength * fade * near * above * inside.x * inside.y);
 })";
 
-// premultiplied over what is there, hidden by what stands before it, hiding nothing itself
+// premultiplied blending with depth test but without depth writes
 void lay_over(Qt3DRender::QRenderPass* pass, Qt3DRender::QCullFace::CullingMode culling) {
   using namespace Qt3DRender;
   auto* blend = new QBlendEquationArguments(pass);
@@ -260,7 +260,7 @@ void lay_over(Qt3DRender::QRenderPass* pass, Qt3DRender::QCullFace::CullingMode 
   }
 }
 
-// the lights work on linear-looking numbers; half way between sRGB and linear keeps theme colours
+// the lights work in a space between sRGB and linear, which keeps theme colours
 // recognisable
 QVector3D shade(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF())};
@@ -332,7 +332,7 @@ ShadowMaterial::ShadowMaterial(Qt3DCore::QNode* parent)
       floor_z_(add_parameter(this, "floor_z")),
       strength_(add_parameter(this, "strength")),
       reach_(add_parameter(this, "reach")) {
-  // one layer per direction: only what faces the lamp
+  // one layer per direction: only faces towards the lamp
   lay_over(add_technique(this, kShadowVertex, kShadowFragment), Qt3DRender::QCullFace::Back);
   set({});
 }

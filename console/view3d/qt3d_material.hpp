@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The materials of the view: solid things in studio light, ghosts, the floor that gives scale, and shadows on it.
+// The materials of the view: solid parts in studio light, ghosts, the floor with its scale grid, and shadows on it.
 #pragma once
 
 #include <Qt3DCore/QNode>
@@ -12,7 +12,7 @@
 
 namespace swage::console {
 
-/// A material's only technique: OpenGL 3.3 core, of one pass.
+/// A material's only technique: OpenGL 3.3 core, one pass.
 Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex, const char* fragment);
 Qt3DRender::QParameter* add_parameter(Qt3DRender::QMaterial* material, const char* name);
 
@@ -27,7 +27,7 @@ class SolidMaterial : public Qt3DRender::QMaterial {
   Qt3DRender::QParameter *colour_, *metal_, *gloss_, *finish_;
 };
 
-/// Seen through, brighter towards its outline; draws over what is behind it and hides nothing.
+/// Translucent, brighter at its outline; drawn over the objects behind it, without depth writes.
 class GhostMaterial : public Qt3DRender::QMaterial {
  public:
   explicit GhostMaterial(Qt3DCore::QNode* parent);

@@ -19,7 +19,7 @@
 namespace swage::console {
 namespace {
 
-// the surface outlives the engine: the other order crashes Qt 6.4 at exit
+// the surface outlives the engine: with the other order Qt 6.4 crashes at exit
 class Qt3dRenderer final : public Renderer {
  public:
   Qt3dRenderer(int samples, int most_views) {
@@ -113,7 +113,7 @@ class Qt3dRenderer final : public Renderer {
       }
       const auto& [eye, part] = views[i];
       const double w = size_.width(), h = size_.height();
-      // Qt3D cuts to whole pixels: what is a rounding below would lie one pixel further left, and an eye would see another depth
+      // Qt3D truncates to whole pixels: a rounding error downwards would shift a view by one pixel to the left and falsify the depth
       constexpr double kNudge_px = 0.25;
       target_->show(i, {(part.x() + kNudge_px) / w, (part.y() + kNudge_px) / h, (part.width() + kNudge_px) / w,
                         (part.height() + kNudge_px) / h});
@@ -152,10 +152,10 @@ class Qt3dRenderer final : public Renderer {
   struct Part {
     Qt3DCore::QEntity* entity = nullptr;
     MeshGeometry* geometry = nullptr;
-    SolidMaterial* material = nullptr;  // one of the two
+    SolidMaterial* material = nullptr;  // one of the two is set
     GhostMaterial* ghost = nullptr;
     Qt3DCore::QTransform* transform = nullptr;
-    Shadow shadow[2];  // on the floor, on the shelf
+    Shadow shadow[2];  // one on the floor, one on the shelf
   };
   Part& at(int part) { return parts_[static_cast<size_t>(part)]; }
 

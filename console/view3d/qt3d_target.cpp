@@ -17,7 +17,7 @@ namespace {
 
 using namespace Qt3DRender;
 
-// A colour and a depth texture to draw into: the last two of `textures` then.
+// A colour and a depth texture as render target; both are appended to `textures`.
 QRenderTarget* make_target(Qt3DCore::QNode* parent, int samples, std::vector<QAbstractTexture*>& textures) {
   auto* target = new QRenderTarget(parent);
   const auto attach = [&](QRenderTargetOutput::AttachmentPoint point,
@@ -64,7 +64,7 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   Q_UNUSED(nothing)
   for (int i = 0; i < most_views; ++i) add_view(draw);
 
-  // One sample per pixel, of colour and depth; the interpolation enum is swapped in the OpenGL renderer: Linear gives GL_NEAREST,
+  // One sample per pixel, of colour and depth. The OpenGL renderer exchanges the interpolation enums: Linear gives GL_NEAREST,
   // which depth needs
   resolved_ = drawn;
   if (samples > 1) {
@@ -81,14 +81,14 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
 
   lens_.build(surface_, parent, textures_.end()[-2], textures_.back(), views_.front().camera);
 
-  // a branch that captures needs a leaf
+  // a branch that captures needs a leaf node
   read_ = new QRenderTargetSelector(surface_);
   read_->setTarget(resolved_);
   auto* leaf = new QNoDraw(read_);
   capture_ = new QRenderCapture(leaf);
 }
 
-// everything, then the floor, then the shadows on it, then what is seen through
+// draws solid parts, then the floor, then the shadows on it, then translucent parts
 void PictureTarget::add_view(QFrameGraphNode* parent) {
   ViewNodes view{};
   view.awake = new QSubtreeEnabler(parent);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The frame graph: draw each view with several samples per pixel, resolve, blur what is out of focus where that is wanted, hand the picture over.
+// The frame graph: draws each view with several samples per pixel, resolves, blurs by depth of field if enabled, and captures the picture.
 #pragma once
 
 #include <QRectF>
@@ -23,21 +23,21 @@
 
 namespace swage::console {
 
-/// Owned by its parent node. Each view: first what is on no layer, then the floor, the shadows on it, and ghosts.
+/// Owned by its parent node. Order in each view: parts on no layer, the floor, the shadows on it, ghosts.
 class PictureTarget {
  public:
   PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views);
   Qt3DRender::QFrameGraphNode* root() { return surface_; }
   size_t most_views() const { return views_.size(); }
   Qt3DRender::QCamera* camera(size_t view) { return views_[view].camera; }
-  /// Its part of the picture, as shares from the top left.
+  /// Sets a view's rectangle in the picture, as shares from the top left.
   void show(size_t view, const QRectF& part);
   void hide(size_t view) { views_[view].awake->setEnabled(false); }
   Qt3DRender::QLayer* floor_layer() { return floor_layer_; }
   Qt3DRender::QLayer* shadow_layer() { return shadow_layer_; }
   Qt3DRender::QLayer* ghost_layer() { return ghost_layer_; }
   Qt3DRender::QRenderCapture* capture() { return capture_; }
-  /// The lens through which the picture is seen; `projection` is that of any view.
+  /// Sets the lens of the picture; `projection` is that of any view.
   void set_lens(const Lens& lens, const QMatrix4x4& projection);
   void resize(const QSize& pixels);
 
@@ -52,8 +52,8 @@ class PictureTarget {
 
   LensPasses lens_;
   Qt3DRender::QRenderSurfaceSelector* surface_;
-  Qt3DRender::QRenderTarget* resolved_;        // the picture as it was drawn
-  Qt3DRender::QRenderTargetSelector* read_;    // what is handed over
+  Qt3DRender::QRenderTarget* resolved_;        // the picture before the blur
+  Qt3DRender::QRenderTargetSelector* read_;    // selects the target to capture
   std::vector<ViewNodes> views_;
   Qt3DRender::QLayer *floor_layer_, *shadow_layer_, *ghost_layer_;
   Qt3DRender::QRenderCapture* capture_;

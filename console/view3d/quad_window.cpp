@@ -9,7 +9,7 @@
 namespace swage::console {
 namespace {
 
-// of desktop OpenGL; the headers of OpenGL ES lack them
+// values of desktop OpenGL, which the headers of OpenGL ES lack
 constexpr GLenum kStereo = 0x0C33, kBackLeft = 0x0402, kBackRight = 0x0403;
 
 }  // namespace
@@ -54,7 +54,7 @@ bool QuadWindow::show_eyes(const QImage& left, const QImage& right) {
   return two_;
 }
 
-// As a texture, and from there on to the buffer; the first line of an image is its top, of OpenGL's the bottom.
+// Copies the picture to a texture and blits it to the buffer; the first line of an image is its top, in OpenGL its bottom.
 void QuadWindow::copy(const QImage& eye, unsigned buffer) {
   QOpenGLExtraFunctions* gl = context_.extraFunctions();
   const QImage rgba = eye.convertToFormat(QImage::Format_RGBA8888);
@@ -84,7 +84,7 @@ QImage QuadWindow::read_back() {
   return image.mirrored().convertToFormat(QImage::Format_RGB32);
 }
 
-// It lies over the widget and is as large: places in it are places there.
+// The window covers the widget exactly: positions are equal in both.
 bool QuadWindow::event(QEvent* event) {
   switch (event->type()) {
     case QEvent::MouseButtonPress:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Frame-sequential: the pictures of two eyes in the left and the right buffer of a driver that has them; it shows them in turn, in step with
-// glasses that shut. Qt3D draws into neither before Qt 6.7, so the painted pictures are copied there. [main]
+// Frame-sequential stereo: the pictures of the eyes go to the left and right buffer of a quad-buffered driver, which shows them in turn, in
+// step with shutter glasses. Qt3D draws into neither before Qt 6.7, so the painted pictures are copied there. [main]
 #pragma once
 
 #include <QImage>
@@ -14,12 +14,12 @@ namespace swage::console {
 class QuadWindow : public QWindow {
   Q_OBJECT
  public:
-  /// Mouse and keys over it are those of `under`.
+  /// Forwards mouse and key events over it to `under`.
   explicit QuadWindow(QWidget* under);
   ~QuadWindow() override;
-  /// Of equal size, as large as the window. Whether both eyes were served: without two buffers the left alone is seen.
+  /// The pictures have the size of the window. Returns whether both eyes are shown: without two buffers only the left one is.
   bool show_eyes(const QImage& left, const QImage& right);
-  /// What stands in the buffer that is drawn into next, for a test; null while the window is not exposed.
+  /// Content of the back buffer, for a test; null while the window is not exposed.
   QImage read_back();
 
  protected:

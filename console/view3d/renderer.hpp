@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the view asks of a renderer, free of Qt3D: another one can take its place (Qt3D is deprecated since
+// The interface between view and renderer, free of Qt3D, so that Qt3D can be replaced (it is deprecated since
 // Qt 6.8).
 #pragma once
 
@@ -22,15 +22,15 @@
 
 namespace swage::console {
 
-/// What a surface is like at a close look.
+/// Surface texture at high magnification.
 enum class Finish {
   kPlain,
   kMoist,    // living tissue: mottled, uneven, with a film of water
-  kBrushed,  // steel with marks of its making along x of the mesh
-  kGhost,    // something that is not there: its outline, seen through; over everything else, and without a shadow
+  kBrushed,  // steel with machining marks along x of the mesh
+  kGhost,    // a translucent object with bright outline; drawn last and without a shadow
 };
 
-/// How a surface answers light.
+/// Reflection of light.
 struct Surface {
   QColor colour{150, 150, 150};
   float metal = 0;   // 0 matte .. 1 polished steel
@@ -38,74 +38,74 @@ struct Surface {
   Finish finish = Finish::kPlain;
 };
 
-/// The level where shadows fall and the grid lies; mm.
+/// The level of the shadows and the grid; mm.
 struct Floor {
   bool shown = false;
   float z = 0;
   QVector3D centre;
-  float radius = 10;                   // fades out there
-  float half_x = 1e6F, half_y = 1e6F;  // and ends here
-  float fill = 1;                      // 0: only the lines, over a surface that is already there
-  float grid = 1;                      // between lines
-  float shadow = 0.068F;               // darkness of one of the layers of a shadow
-  float reach = 4;                     // height at which a shadow is faint
+  float radius = 10;                   // where the floor has faded out
+  float half_x = 1e6F, half_y = 1e6F;  // half size, where the floor ends
+  float fill = 1;                      // opacity between the lines; 0: only the lines, over a surface that is drawn already
+  float grid = 1;                      // distance between lines
+  float shadow = 0.068F;               // darkness of one layer of a shadow
+  float reach = 4;                     // height above which a shadow is faint
   QColor colour{70, 84, 84}, line{96, 112, 112};
 };
 
-/// Where a part casts its shadow.
+/// Whether a part casts a shadow, and on which level.
 struct Casts {
   bool on_floor = false, on_shelf = false;
 };
 
-/// An eye, and the part of the picture that is its own, in pixels from the top left.
+/// An eye, and its rectangle in the picture, in pixels from the top left.
 struct View {
   Eye eye;
   QRect part;
 };
 
-/// Depth of field: a point so far off the plane in focus is seen as a disc of so many times that diameter in that plane.
+/// Depth of field: the blur disc of a point has the diameter aperture x its distance from the focal plane, measured in that plane.
 struct Lens {
   bool on = false;
-  float focus_mm = 1;   // from the eyes to the plane that is sharp
-  float aperture = 0;   // width of the lens over its distance
-  float px_per_mm = 1;  // in that plane
+  float focus_mm = 1;   // from the eyes to the focal plane
+  float aperture = 0;   // width of the lens over the focus distance
+  float px_per_mm = 1;  // in the focal plane
 };
 
-/// Diameter of the largest disc that is drawn: that of the taps of the blur and of one of its pixels. A larger one shows as this.
+/// Largest diameter of a blur disc: that of the blur's taps and of one of its pixels. Larger discs are drawn with this one.
 inline constexpr float kDisc_px = 14;
 
-/// Whether this machine can draw, and why not. Asked once at start.
+/// Whether this machine can draw, and if not, why. Probed once at start.
 struct GlProbe {
   bool ok = false, software = false;
   QString why, renderer;
 };
 GlProbe probe_gl();
-/// Whether the driver has a left and a right buffer for glasses that shut in turn. Asked once.
+/// Whether the driver has quad-buffered stereo, for shutter glasses. Probed once.
 bool has_quad_buffers();
 
-/// Draws parts with a pose each. All calls from the GUI thread.
+/// Draws parts, each with its pose. All calls from the GUI thread.
 class Renderer {
  public:
   virtual ~Renderer() = default;
   virtual void clear() = 0;
   virtual int add_part(const Mesh& mesh, const Surface& surface, Casts casts) = 0;
-  /// Takes away this part and those that were added after it.
+  /// Removes this part and all parts added after it.
   virtual void drop_from(int part) = 0;
-  virtual void set_mesh(int part, const Mesh& mesh) = 0;  // for threads: new triangles every picture
+  virtual void set_mesh(int part, const Mesh& mesh) = 0;  // for flexible objects: new triangles every picture
   virtual void set_pose(int part, const QMatrix4x4& X_WB_mm) = 0;
   virtual void set_surface(int part, const Surface& surface) = 0;
   virtual void set_visible(int part, bool visible) = 0;
   virtual void set_floor(const Floor& floor) = 0;
-  /// A second level on which only shadows fall.
+  /// A second level, which receives only shadows.
   virtual void set_shelf(const Floor& shelf) = 0;
-  /// At most as many as the renderer was made for; the others sleep.
+  /// At most as many as the renderer was made for; unused ones are disabled.
   virtual void set_views(std::span<const View> views) = 0;
-  /// What instruments (Finish::kBrushed) must not hide, in all views.
+  /// The disc that instruments (Finish::kBrushed) must not hide, in all views.
   virtual void set_clear_sight(const ClearSight& sight) = 0;
-  /// For all views, which have the same near and far plane; after set_views().
+  /// The lens of all views, which have the same near and far plane; to be called after set_views().
   virtual void set_lens(const Lens& lens) = 0;
   virtual void resize(const QSize& pixels) = 0;
-  /// Draws one picture; `done` gets an earlier or this one, with transparent background, premultiplied.
+  /// Draws one picture; `done` receives this or an earlier one, with transparent background, premultiplied.
   virtual void draw(std::function<void(const QImage&)> done) = 0;
 };
 

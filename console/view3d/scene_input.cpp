@@ -63,16 +63,16 @@ void SceneInput::used(const char* what) {
   Q_EMIT control_used(name);
 }
 
-// directions are those of the panel under the pointer
+// directions refer to the panel under the pointer
 void SceneInput::look_from(const QPointF& position) { input_.set_camera(panels_.at(position).view.eye.q_WC()); }
 
-// the tips stay under the pointer in every view and at every magnification
+// the tips follow the pointer in every view and at every magnification
 swage_pointer SceneInput::moved(const QPointF& from, const QPointF& to) {
   const Panel panel = panels_.at(from);
   const Eye& eye = panel.view.eye;
   const double px = panel.size.height();
   QPointF delta((to.x() - from.x()) * panel.size.width() / panel.at.width(), (to.y() - from.y()) * px / panel.at.height());
-  // in a mirror the tips go with the hand and not with the screen
+  // in a mirror the tips follow the hand and not the screen
   const Mirror mirror = point_.stereo() ? point_.stereo()->mirror : Mirror::kNone;
   if (mirror == Mirror::kLeftRight) delta.setX(-delta.x());
   if (mirror == Mirror::kUpDown) delta.setY(-delta.y());
@@ -80,7 +80,7 @@ swage_pointer SceneInput::moved(const QPointF& from, const QPointF& to) {
   return input_.moved(delta, scene_.parts().tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, scene_.middle_of_tips()));
 }
 
-// where the needle is when a drive begins is where its circle stays
+// the needle's circle is fixed when a drive begins
 void SceneInput::tell_circle(const swage_pointer& input) {
   const bool drives = PointerInput::drives(input);
   if (std::exchange(drives_, drives) || !drives || !scene_.have_snapshot()) return;
@@ -122,7 +122,7 @@ void SceneInput::move(QMouseEvent* event) {
   }
 }
 
-// a long drag does not end at the edge of the screen
+// moves the pointer to the opposite edge of the screen, so that a drag does not end there
 void SceneInput::wrap_pointer(const QPoint& global) {
   const QScreen* screen = widget_->screen();
   if (QGuiApplication::platformName() != QLatin1String("xcb") || !screen) return;
@@ -132,7 +132,7 @@ void SceneInput::wrap_pointer(const QPoint& global) {
   last_mouse_ = middle;
 }
 
-// On a busy machine the last reports of a drag are merged into the letting go: they still belong to it.
+// On a busy machine the last motion events of a drag are merged into its release: they still belong to the drag.
 void SceneInput::release(QMouseEvent* event) {
   const QPointF from = std::exchange(last_mouse_, event->position());
   if (!instrument_) return;
@@ -163,7 +163,7 @@ void SceneInput::zoom_microscope(int notches) {
   Q_EMIT microscope_zoomed(point_.stereo()->microscope.zoom);
 }
 
-// Ctrl with Page up and down, also from a pedal that sends them: zoom; with Shift the focus.
+// Ctrl with Page up and down, also from a pedal that sends them: zoom; with Shift: focus.
 bool SceneInput::microscope_key(const QKeyEvent& event) {
   const bool up = event.key() == Qt::Key_PageUp, down = event.key() == Qt::Key_PageDown;
   if (!point_.microscope() || !(event.modifiers() & Qt::ControlModifier) || !(up || down)) return false;
@@ -175,7 +175,7 @@ bool SceneInput::microscope_key(const QKeyEvent& event) {
   return true;
 }
 
-// as devices/mouse reads them
+// the keys that devices/mouse reads
 bool SceneInput::moves_instrument(int key) {
   return key == Qt::Key_A || key == Qt::Key_D || key == Qt::Key_W || key == Qt::Key_S || key == Qt::Key_Q || key == Qt::Key_E;
 }
@@ -194,7 +194,7 @@ bool SceneInput::key_down(QKeyEvent* event) {
   return true;
 }
 
-// without a mouse: arrows turn, plus and minus zoom, Home frames
+// camera without a mouse: arrows turn, plus and minus zoom, Home frames
 bool SceneInput::camera_key(int key) {
   OrbitCamera& camera = point_.camera;
   switch (key) {
@@ -237,7 +237,7 @@ bool SceneInput::key_up(QKeyEvent* event) {
 }
 
 void SceneInput::focus_lost() {
-  // a key that is let go elsewhere must not go on closing the jaws
+  // a key released in another window must not keep the jaws closing
   if (instrument_) Q_EMIT pointer(input_.released());
   drives_ = false;
   panels_.hold({});

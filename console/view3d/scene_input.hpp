@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Mouse and keys over the picture. Usually they move the camera. While the mouse is the instrument everything
-// goes to the instrument, and only Ctrl with the left button (and Ctrl+Shift with the wheel) still moves the
+// Mouse and keys over the picture. Usually they move the camera. While an instrument is driven by the mouse, all
+// events are the instrument's; only Ctrl with the left button (and Ctrl+Shift with the wheel) still moves the
 // camera. A drag moves the instrument in the plane of the panel that it began in. [main]
 #pragma once
 
@@ -18,45 +18,45 @@ class QWidget;
 
 namespace swage::console {
 
-/// What is told over the picture, each when it is needed.
+/// Which hints are shown over the picture.
 struct ControlHints {
-  bool drag = false, close = false, drive = false, open = false;  // until it was used once
-  bool put_back = false;                                         // what has fallen
+  bool drag = false, close = false, drive = false, open = false;  // until the control was used once
+  bool put_back = false;                                         // for a dropped object
   bool operator==(const ControlHints&) const = default;
 };
 
 class SceneInput : public QObject {
   Q_OBJECT
  public:
-  /// `widget`: whose events these are.
+  /// `widget`: source of the events.
   SceneInput(QWidget* widget, const SceneState& scene, ViewPoint& point, PanelLayout& panels);
   void set_instrument(bool on);
   bool instrument() const { return instrument_; }
   void set_hints(const ControlHints& hints);
   const ControlHints& hints() const { return hints_; }
-  /// What the mouse does here now. `led`: one of several tools is led; `banner`: the picture has one.
+  /// The present use of the mouse, as text. `led`: one of several tools is active; `banner`: the picture shows a banner.
   QString hint(bool focus, bool led, bool banner) const;
 
   void press(QMouseEvent* event);
   void move(QMouseEvent* event);
   void release(QMouseEvent* event);
   void wheel(QWheelEvent* event);
-  /// Whether the key was for the picture; another is for the window.
+  /// True when the key was handled; otherwise the window handles it.
   bool key_down(QKeyEvent* event);
   bool key_up(QKeyEvent* event);
-  /// The keyboard went elsewhere: nothing is down any more.
+  /// The keyboard focus was lost: no key or button is down any more.
   void focus_lost();
 
  Q_SIGNALS:
   void pointer(const swage_pointer& input);
-  /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
+  /// Emitted before pointer() when the needle is driven along its circle; no value without a needle at the tips. World frame, as shown.
   void circle(const std::optional<NeedleCircle>& about);
-  /// The person has done what a hint told: "drag", "close", "drive", "open".
+  /// The person has used a control of the hints: "drag", "close", "drive", "open".
   void control_used(const QString& what);
   void microscope_zoomed(float zoom);
-  /// The camera moves.
+  /// The camera moved.
   void looked();
-  /// Something painted over the picture changed.
+  /// A text over the picture changed.
   void words_changed();
 
  private:
@@ -79,7 +79,7 @@ class SceneInput : public QObject {
   QPointF last_mouse_;
   bool instrument_ = false;
   bool drives_ = false;       // along the needle's circle
-  bool turned_view_ = false;  // a drag turned the view while no attempt took it
+  bool turned_view_ = false;  // a drag turned the view while no attempt was running
   ControlHints hints_;
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -112,7 +114,7 @@ void SceneMarks::paint_cues(Overlay& overlay, const Panel& panel) const {
 void SceneMarks::paint_led(Overlay& overlay, const Panel& panel) const {
   if (scene_.led() == SWAGE_NONE) return;
   const std::string& name = scene_.card().objects[scene_.led()].name;
-  overlay.led(panel.view.eye.project(scene_.middle_of_tips(), panel.size), QString::fromStdString(name));
+  overlay.led(panel.view.eye.project(scene_.middle_of_tips(), panel.size), said_id(name));
 }
 
 }  // namespace swage::console

@@ -7,10 +7,10 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLeastThread_px = 2.2;  // a 10-0 suture has one pixel where the picture shows 15 mm: it would come and go
-constexpr float kLift_mm = 0.004F;       // the grid lies so far above its stage, so that it does not flicker
+constexpr double kLeastThread_px = 2.2;  // a 10-0 suture is one pixel wide in a picture of 15 mm: it would flicker
+constexpr float kLift_mm = 0.004F;       // height of the grid above its stage, against flicker
 
-// steel while it only springs, orange where it begins to stay bent, red at one and a half times that
+// steel up to half the stress of first yield, orange at first yield, red at 1.5 times that stress
 QColor stressed(const QColor& steel, double share) {
   const QColor yields(0xff, 0x8c, 0x1a), ruined(0xd4, 0x07, 0x06);
   const auto mix = [](const QColor& a, const QColor& b, double u) {
@@ -21,7 +21,7 @@ QColor stressed(const QColor& steel, double share) {
   return share <= 1 ? mix(steel, yields, 2 * share - 1) : mix(yields, ruined, 2 * share - 2);
 }
 
-// the top of the tissue: shadows alone, which tell how far a point still is from it
+// the top of the tissue: shadows only, which show the height of the needle point
 Floor shelf_of(const Ground& level) {
   Floor floor;
   floor.shown = level.on_stage;
@@ -79,7 +79,7 @@ void SceneMeshes::colour() {
     Surface surface = surface_of(part);
     const QString cue = cue_of(scene_, shown_, part.object);
     if (part.role == Role::kWork && part.chain >= 0 && shown_.stress) surface.colour = stressed(surface.colour, scene_.stress());
-    // a wound is seen on tissue in its own colour only
+    // a wound needs the tissue's own colour as background
     if (part.role != Role::kMark && !part.soft && !cue.isEmpty())
       surface = {shown_.cues.style(cue).colour, 0.25F, 40, surface.finish};
     renderer_.set_surface(static_cast<int>(i), surface);
@@ -127,7 +127,7 @@ void SceneMeshes::place(double mm_per_pixel) {
     m.rotate(to_qt(X.q));
     renderer_.set_pose(static_cast<int>(i), m);
   }
-  if (scene_.have_snapshot()) soft_.place(scene_);
+  if (scene_.have_snapshot()) soft_.place(scene_, mm_per_pixel);
 }
 
 void SceneMeshes::place_threads(double mm_per_pixel) {
@@ -135,7 +135,7 @@ void SceneMeshes::place_threads(double mm_per_pixel) {
     if (scene_.parts().part[i].thread >= 0) place_thread(i, mm_per_pixel);
 }
 
-// Of its true thickness, but where that could not be seen.
+// Draws the thread at its true thickness, or at the smallest visible one.
 void SceneMeshes::place_thread(size_t part, double mm_per_pixel) {
   const ScenePart& of = scene_.parts().part[part];
   const ThreadLine& thread = scene_.parts().threads[static_cast<size_t>(of.thread)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The scene in the renderer: its parts, their colours, where they are. [main]
+// The parts of the scene in the renderer: meshes, colours, poses. [main]
 #pragma once
 
 #include "console/view3d/renderer.hpp"
@@ -13,11 +13,11 @@ class SceneMeshes {
  public:
   SceneMeshes(Renderer& renderer, const SceneState& scene, const Shown& shown)
       : renderer_(renderer), scene_(scene), shown_(shown), soft_(renderer) {}
-  /// All parts of the card anew, at their start. `mm_per_pixel`: of the first panel, for threads.
+  /// Rebuilds all parts of the card in their start poses. `mm_per_pixel`: of the first panel, for threads.
   void build(double mm_per_pixel);
   void colour();
   void place(double mm_per_pixel);
-  /// Threads alone: their thickness follows the magnification.
+  /// Rebuilds the threads only: their thickness depends on the magnification.
   void place_threads(double mm_per_pixel);
   const SoftMeshes& soft() const { return soft_; }
 

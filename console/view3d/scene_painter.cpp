@@ -40,7 +40,7 @@ void ScenePainter::paint_background(QPainter& painter, const Canvas& canvas, con
   painter.drawPixmap(at, background_, background_.rect());
 }
 
-// where a panel lies in the last picture, which may be of other panels
+// the panel's rectangle in the last picture, which may have other panels
 const Panel* ScenePainter::drawn(const Job& job, size_t index) const {
   const std::vector<Panel>& last = job.picture.panels;
   if (point_.stereo()) return index < last.size() ? &last[index] : nullptr;
@@ -48,13 +48,13 @@ const Panel* ScenePainter::drawn(const Job& job, size_t index) const {
   return same == last.end() ? nullptr : &*same;
 }
 
-// The scene as one eye sees it, and over it what belongs to places in it.
+// Paints the scene for one eye, and the marks at positions in it.
 void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& panel, size_t index) {
   painter.save();
   painter.setClipRect(panel.at);
   paint_background(painter, job.canvas, panel.at);
   if (const Panel* last = drawn(job, index)) {
-    // until the next one comes a picture of another size is stretched
+    // until the next picture comes, one of another size is stretched
     const QRect& part = last->view.part;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, part.size() != panel.view.part.size());
     painter.drawImage(panel.at, job.picture.image, part);
@@ -63,7 +63,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
   if (point_.microscope()) paint_field(painter, panel.size);
   const bool whole = panel.inset == Inset::kNone && !point_.stereo();
-  // labels stand above the hint, which is written over the picture
+  // labels are placed above the hint, which is painted over the picture
   const double below = whole ? Overlay::hint_height(job.words.hint, painter.font(), lower_edge(job).first, lower_edge(job).second) : 0;
   Overlay overlay(painter, QRectF(QPointF(), panel.size - QSizeF(0, below)), shown_.ui);
   if (whole)
@@ -74,7 +74,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   painter.restore();
 }
 
-// each eye sees clock, verdict and task at the depth of the screen
+// clock, verdict and task appear to each eye at the depth of the screen
 void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Job& job, const Panel& panel) const {
   const ViewWords& words = job.words;
   if (!words.clock.isEmpty()) overlay.clock(words.clock);
@@ -84,7 +84,7 @@ void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Jo
   if (station_mark_) paint_station_mark(painter, panel);
 }
 
-// In the plane of the screen: either eye has it at the same place.
+// The mark lies in the plane of the screen: both eyes see it at the same place.
 void ScenePainter::paint_station_mark(QPainter& painter, const Panel& panel) const {
   constexpr double kArm_mm = 8;
   const QSizeF mm = point_.screen_mm_per_pixel();
@@ -104,7 +104,7 @@ std::vector<QImage> ScenePainter::eyes(const Canvas& canvas, const std::vector<P
   return eyes(Job{canvas, panels, picture, words, leads});
 }
 
-// Each eye's picture by itself, words and all, then reflected.
+// The picture of each eye with its texts, reflected for a mirror.
 std::vector<QImage> ScenePainter::eyes(const Job& job) {
   const double ratio = job.canvas.ratio;
   const StereoLook& look = *point_.stereo();
@@ -124,12 +124,12 @@ std::vector<QImage> ScenePainter::eyes(const Job& job) {
   return eye;
 }
 
-// Laid on each other or beside each other.
+// The two pictures overlaid or side by side.
 void ScenePainter::paint_eyes(QPainter& painter, const Job& job) {
   const std::vector<QImage> eye = eyes(job);
   const StereoLook& look = *point_.stereo();
   if (overlaid(look.layout) && eye.size() == 2) {
-    // lines and chess boards are those of the screen, wherever the window lies
+    // interleaved lines and pixels are counted on the screen, wherever the window lies
     QImage together = overlay_eyes(look.layout, eye[0], eye[1], job.canvas.origin);
     together.setDevicePixelRatio(job.canvas.ratio);
     return painter.drawImage(QPointF(), together);
@@ -137,7 +137,7 @@ void ScenePainter::paint_eyes(QPainter& painter, const Job& job) {
   for (size_t i = 0; i < job.panels.size(); ++i) painter.drawImage(job.panels[i].at.topLeft(), eye[i]);
 }
 
-// Of several wounds the largest is shown. The corner is narrow, so the words are few.
+// The largest of several wounds. The corner is narrow, so the text is short.
 QString ScenePainter::wound_words() const {
   const WoundPlace& wound = marks_.wound();
   const QString size = QString::number(100 * wound.ratio, 'f', 0);
@@ -146,7 +146,7 @@ QString ScenePainter::wound_words() const {
   return wound.of > 1 ? tr("Largest %1 %").arg(size) : tr("Wound %1 %").arg(size);
 }
 
-// a corner that shows the depth or a wound: what it is, and how large
+// the frame of an inset, its title and its scale
 void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(shown_.ui["border"], 2));
@@ -158,13 +158,13 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
     painter.drawText(inset.at.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignTop, from_above ? tr("From above") : tr("From the front"));
     return;
   }
-  // how large it is is a cue; that it is there is plain to see
+  // the size of a wound is a cue, hidden in a Test; the wound itself is always visible
   Overlay overlay(painter, inset.at, shown_.ui);
   overlay.caption(shown_.cues_shown ? wound_words() : tr("Wound"));
   overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 
-// from where to where the insets leave it free, px
+// left and right end of the lower edge that the insets leave free, px
 std::pair<double, double> ScenePainter::lower_edge(const Job& job) {
   const QSizeF all = job.canvas.size;
   double left = 0, right = all.width();

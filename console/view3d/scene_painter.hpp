@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Paints a view: the renderer's picture in its panels, what belongs to places in it, and words around it. [main]
+// Paints a view: the renderer's picture in its panels, marks at positions in it, and texts around it. [main]
 #pragma once
 
 #include <QCoreApplication>
@@ -18,23 +18,23 @@
 
 namespace swage::console {
 
-/// The renderer's last picture, and its panels as they were when it was drawn.
+/// The renderer's last picture, with the panels for which it was drawn.
 struct Picture {
   QImage image;
   std::vector<Panel> panels;
 };
 
-/// What is said over a picture; "" for nothing.
+/// Texts over a picture; "" for none.
 struct ViewWords {
   QString clock, banner, hint;
-  QString task, message;  // of a trainee's view, which shows them beside clock and verdict
+  QString task, message;  // for a trainee's view, beside clock and verdict
 };
 
-/// The widget that is painted on.
+/// The widget to paint on.
 struct Canvas {
   QSize size;
-  double ratio = 1;  // device pixels of one of its pixels
-  QPoint origin;     // on the screen, in its pixels
+  double ratio = 1;  // device pixels per pixel of the widget
+  QPoint origin;     // on the screen, in device pixels
   QFont font;
   bool focus = false;
 };
@@ -45,19 +45,19 @@ class ScenePainter {
  public:
   ScenePainter(const SceneState& scene, const Shown& shown, const ViewPoint& point, const SceneMarks& marks)
       : scene_(scene), shown_(shown), point_(point), marks_(marks) {}
-  /// `leads`: mouse and keys lead a tool.
+  /// `leads`: mouse and keys drive a tool.
   void paint(QPainter& painter, const Canvas& canvas, const std::vector<Panel>& panels, const Picture& picture, const ViewWords& words, bool leads);
-  /// The pictures of the eyes by themselves, as paint() lays them on or beside each other. Only for two eyes or one.
+  /// The separate pictures of the eyes, as paint() composes them. Only for layouts with eyes.
   std::vector<QImage> eyes(const Canvas& canvas, const std::vector<Panel>& panels, const Picture& picture, const ViewWords& words, bool leads);
-  /// Where there is no OpenGL.
+  /// The text shown without OpenGL.
   void paint_placeholder(QPainter& painter, const Canvas& canvas, const QString& why);
   /// A mark of a registration, mm from the middle of the picture, +y up.
   void set_station_mark(const std::optional<QPointF>& at_mm) { station_mark_ = at_mm; }
-  /// Size or colours of the background are others.
+  /// The size or the colours of the background changed.
   void forget_background() { background_ = {}; }
 
  private:
-  /// One painting: what does not change from panel to panel.
+  /// Constants of one painting, shared by all panels.
   struct Job {
     const Canvas& canvas;
     const std::vector<Panel>& panels;

@@ -14,14 +14,14 @@
 namespace swage::console {
 namespace {
 
-// what lies on a stage may start a little inside it
-constexpr float kBeside = 1.8F;  // radii of the work from its middle
-// length of a needle's point over the radius of its wire: 0.8 mm of a wire of 100 um
+// radius of the first view, in radii of the work: places further away are pulled in to it
+constexpr float kBeside = 1.8F;  // from the middle of the work
+// length of a needle's point over the radius of its wire: 0.8 mm for a wire of 100 um diameter
 constexpr double kTaper = 16;
-// the collars at the ends of a region: their length, m
+// length of the collars at the ends of a region, m
 constexpr double kCollar = 0.1e-3;
-constexpr float kTouch_mm = 0.05F;
-// what of a tool is so many times further from the work than its foremost part is no tip: its handle
+constexpr float kTouch_mm = 0.05F;  // the work may begin so far inside its stage
+// vertices of a tool so many times further from the work than its foremost part belong to its handle, not to a tip
 constexpr float kBehind = 1.6F;
 
 bool has_trait(const snapshot::CardObject& object, const char* trait) {
@@ -29,7 +29,7 @@ bool has_trait(const snapshot::CardObject& object, const char* trait) {
                      [&](const std::string& t) { return t.find(trait) != std::string::npos; });
 }
 
-// A needle is drawn with a point, which its shapes do not have: what pierces is pointed.
+// Length of the drawn point of a needle, m: an object that pierces is pointed, though its shapes are not.
 double taper_of(const snapshot::SceneCard& card, uint32_t object, double radius) {
   return object < card.objects.size() && has_trait(card.objects[object], "piercing") ? kTaper * radius : 0;
 }
@@ -90,7 +90,7 @@ void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
   }
 }
 
-// one stretch of a wire, on a chain or on a single shape
+// a stretch of a wire, on a chain or on a single shape
 void add_stretch(const snapshot::SceneCard& card, const ScenePart& like, SceneParts& parts) {
   if (!(like.to > like.from)) return;
   if (const int chain = chain_of(parts, like.object); chain >= 0) return add_chain(card, chain, like, parts);
@@ -125,7 +125,7 @@ double wire_length(const snapshot::SceneCard& card, uint32_t object) {
   return length;
 }
 
-// regions that a lesson marks on a wire
+// adds the regions that a lesson marks on a wire
 void add_marks(const snapshot::SceneCard& card, SceneParts& parts) {
   for (uint32_t m = 0; m < card.script.marks.size(); ++m) {
     const swage_mark& mark = card.script.marks[m].mark;
@@ -151,7 +151,7 @@ bool is_marked(const snapshot::SceneCard& card, uint32_t object) {
   });
 }
 
-// the largest level face of some parts that is not above `highest`
+// the largest level face of the parts that satisfy `wanted`, not above `highest`
 template <class Wanted>
 Ground find_level(const snapshot::SceneCard& card, const SceneParts& parts, float highest,
                   const Wanted& wanted) {
@@ -192,7 +192,7 @@ Ground find_level(const snapshot::SceneCard& card, const SceneParts& parts, floa
   return ground;
 }
 
-// the stage below the work; nothing to stand on: a plane right below it, and below tissue
+// the stage below the work; without one a plane right below the work and any tissue
 Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
   const Ground ground = find_level(card, parts, parts.work.low.z() + kTouch_mm,
                                    [](const ScenePart& p) { return p.role == Role::kStage && !p.soft; });
@@ -204,7 +204,7 @@ Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
   return {all.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
 }
 
-// the vertex of a part nearest to a place, both in the frame of its mesh; in that of its body
+// the vertex of a part nearest to `place`, both in the mesh's frame; returned in the body's frame
 QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part, const QVector3D& place) {
   QVector3D best;
   float least = 1e30F;
@@ -218,13 +218,13 @@ QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part,
   return !part.in_world() ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
 }
 
-// A thread goes along with what it is tied to: what is worked on is the needle, where there is one.
+// A thread follows the object that it is tied to: the work is the needle, where there is one.
 bool only_follows(const ScenePart& part, const SceneParts& parts) {
   if (part.thread < 0) return false;
   return std::any_of(parts.part.begin(), parts.part.end(), [](const ScenePart& p) { return p.role == Role::kWork && p.thread < 0; });
 }
 
-// The two vertices of a part that are furthest apart, as seen from its middle.
+// The vertex of a part that is furthest from its middle, and the vertex furthest from that one.
 std::vector<Spot> find_ends(const snapshot::SceneCard& card, const ScenePart& part, const QVector3D& middle) {
   const auto furthest = [&part](const QVector3D& from) {
     QVector3D best = from;
@@ -236,7 +236,7 @@ std::vector<Spot> find_ends(const snapshot::SceneCard& card, const ScenePart& pa
   return {{part.body, nearest_vertex(card, part, one)}, {part.body, nearest_vertex(card, part, other)}};
 }
 
-// the marked thing, or the only one that is worked on
+// chooses the marked object, or the only one that is worked on
 void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   int works = 0;
   for (const ScenePart& p : parts.part) {
@@ -261,7 +261,7 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   parts.ends.clear();
 }
 
-// of a tool the place of each jaw that is nearest to the work
+// the place of each jaw of a tool that is nearest to the work
 std::vector<Spot> find_tips(const snapshot::SceneCard& card, const SceneParts& parts, uint32_t own) {
   const QVector3D c = parts.work.centre();
   std::vector<Spot> tips;
@@ -333,22 +333,22 @@ QQuaternion to_qt(const swage_quat& q) {
 
 namespace {
 
-/// What a first look shows: the work whole, of all else what is near it.
+/// Sphere of the first view: the work whole, of all other parts the places near it.
 Bounds focus(const snapshot::SceneCard& card, const SceneParts& parts,
              const std::map<uint32_t, Bounds>& tools) {
   Bounds out = parts.work;
   const QVector3D c = parts.work.centre();
-  // a picture is wider than high: what is further away is still in it
+  // places further away are pulled in: a picture is wider than high and still shows them
   const float most = kBeside * std::max(parts.work.radius(), 0.3F);
   const auto add = [&](const QVector3D& p) {
     const float far = (p - c).length();
     out.add(far > most ? c + (p - c) * (most / far) : p);
   };
-  // a tool is long: only its point nearest to the work has to be in the picture
+  // of a long tool only the place nearest to the work is included
   for (const auto& [object, b] : tools)
     add({std::clamp(c.x(), b.low.x(), b.high.x()), std::clamp(c.y(), b.low.y(), b.high.y()),
          std::clamp(c.z(), b.low.z(), b.high.z())});
-  // tissue has its mark anywhere
+  // tissue is included whole, as its mark may be anywhere
   Bounds soft;
   for (const ScenePart& p : parts.part) {
     if (p.soft) add_bounds(card, p, soft);
@@ -356,7 +356,7 @@ Bounds focus(const snapshot::SceneCard& card, const SceneParts& parts,
   for (int i = 0; i < 8 && !soft.empty(); ++i)
     add({i & 1 ? soft.low.x() : soft.high.x(), i & 2 ? soft.low.y() : soft.high.y(),
          i & 4 ? soft.low.z() : soft.high.z()});
-  // a wire that stands still is a course: all of it, and what stands beside it
+  // a fixed wire is a course to be followed: it is included whole, with the stage parts beside it
   const auto& all = parts.part;
   if (std::none_of(all.begin(), all.end(), [](const ScenePart& p) { return p.role == Role::kStage && p.wire; })) return out;
   for (size_t i = 0; i < all.size(); ++i)
@@ -370,9 +370,9 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   SceneParts parts;
   add_bodies(card, parts);
 
-  // frame what is marked, else what is worked on, else whatever there is
+  // the framed parts: the marked ones, else the work, else any
   Bounds marked, work, tools, rest;
-  std::map<uint32_t, Bounds> tool;  // by object: a helper's beside one's own
+  std::map<uint32_t, Bounds> tool;  // by object, as a helper's tool may stand beside the trainee's
   for (const ScenePart& p : parts.part) {
     if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(card, p, marked);
     const bool work_on = p.role == Role::kWork && !only_follows(p, parts);

@@ -35,7 +35,7 @@ SceneState::Change SceneState::take(const snapshot::Snapshot& snapshot, bool wit
   return change;
 }
 
-// What the signals say of grasp, tissue and stress; the last in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
+// Reads grasp, tissue and stress from the signals. Stress is rounded to 1/16 of first yield, so that its colour changes seldom.
 bool SceneState::read_stress(bool with_stress) {
   double stress = 0;
   pierced_ = false;
@@ -50,7 +50,7 @@ bool SceneState::read_stress(bool with_stress) {
   return std::exchange(stress_, rounded) != rounded;
 }
 
-// What is near the tips, is dragged with them or driven about them are those of the tool that is led.
+// Updates the places near the tips, and those dragged or driven with them, for the active tool.
 bool SceneState::follow_led_tool() {
   const uint32_t now = led_tool(card_, *snapshot_);
   if (now == led_) return false;

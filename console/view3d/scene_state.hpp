@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is in the scene now: its card, and the last snapshot of it. World frame; places in mm. Free of Qt3D. [main]
+// The present state of the scene: its card and the last snapshot. World frame; places in mm. Free of Qt3D. [main]
 #pragma once
 
 #include <memory>
@@ -18,14 +18,14 @@ class SceneState {
   void set_card(const snapshot::SceneCard& card);
 
   struct Change {
-    bool first = false;    // snapshot of this card
-    bool same = false;     // step and time as before
-    bool colours = false;  // a cue or the stress is another
-    bool led = false;      // another tool is led
+    bool first = false;    // first snapshot of this card
+    bool same = false;     // step and time did not change
+    bool colours = false;  // a cue or the stress changed
+    bool led = false;      // the active tool changed
   };
   /// Copies the snapshot. `with_stress`: whether the needle's stress is read.
   Change take(const snapshot::Snapshot& snapshot, bool with_stress);
-  /// The stress of the last snapshot, or none; whether it is another than before.
+  /// Reads the stress of the last snapshot, or sets it to 0; returns whether it changed.
   bool read_stress(bool with_stress);
 
   const snapshot::SceneCard& card() const { return card_; }
@@ -33,32 +33,32 @@ class SceneState {
   const snapshot::Snapshot& now() const { return *snapshot_; }
   bool have_card() const { return have_card_; }
   bool have_snapshot() const { return have_snapshot_; }
-  /// Whether the lesson has looked at the scene yet: only then are its marks where it has drawn them.
+  /// Whether the lesson has been updated once: only then are its marks in place.
   bool judged() const;
-  /// The tool that the mouse leads, of several; SWAGE_NONE where there is one.
+  /// The active tool of the mouse, of several; SWAGE_NONE where there is one.
   uint32_t led() const { return led_; }
-  /// Whether jaws hold something that can be taken; nothing where no grasp is measured.
+  /// Whether jaws hold an object; no value where no grasp is measured.
   std::optional<bool> taken() const { return taken_; }
   /// A needle is in the tissue.
   bool pierced() const { return pierced_; }
-  /// Greatest stress of a needle over that of first yield, in sixteenths; 0 while it is not read.
+  /// Greatest stress of a needle over that of first yield, in steps of 1/16; 0 while it is not read.
   double stress() const { return stress_; }
 
-  /// Poses of the last snapshot; of the start before the first.
+  /// Poses of the last snapshot; before the first, those of the start.
   std::span<const swage_pose> X_WB() const;
-  /// Pose of a body; of the start where the snapshot lacks it.
+  /// Pose of a body; that of the start where the snapshot lacks it.
   const swage_pose& pose(uint32_t body) const;
   QVector3D place_of(const Spot& spot) const;
-  /// The middle between the tips of the tool that is led.
+  /// The middle between the tips of the active tool.
   QVector3D middle_of_tips() const;
-  /// The nearest thing that may be taken; once the tips are within `reach` of it, the mark that it is to be brought to.
+  /// The nearest object that may be grasped; once the tips are within `reach` of it, the mark to which it is to be brought.
   QVector3D aim_near(const QVector3D& tips, float reach) const;
-  /// Where the first mark is that is a point in the world.
+  /// Position of the first mark that is a point in the world.
   std::optional<QVector3D> first_point() const;
-  /// Where all of them are.
+  /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;
-  /// The middle of what is watched, where one thing is and the snapshot has it.
+  /// The middle of the watched object, if there is one and the snapshot has it.
   std::optional<QVector3D> watched() const;
 
  private:

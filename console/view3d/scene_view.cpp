@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kTick_ms = 16;
 constexpr int kSamples = 4, kMostViews = 3;
-constexpr int kFirstPictures = 16;  // shaders and meshes load in the background: the first pictures are empty
-constexpr qint64 kPatience_ms = 30000;  // so long an empty picture is taken for one that is still being loaded
+constexpr int kFirstPictures = 16;  // pictures drawn at least: shaders and meshes load in the background, and the first pictures are empty
+constexpr qint64 kPatience_ms = 30000;  // so long an empty picture is taken for one that is still loading
 
-// one colour only
+// true when the image has one colour only
 bool is_plain(const QImage& image) {
   for (int y = 0; y < image.height(); ++y) {
     const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
@@ -66,7 +66,7 @@ void SceneView::measure() {
   point_.set_screen(screen() ? screen()->size() : size());
 }
 
-// The size of the widget, its insets or its eyes are others.
+// To be called when the size of the widget, its insets or its eyes changed.
 void SceneView::lay_out() {
   measure();
   if (renderer_) renderer_->resize(panels_.canvas());
@@ -121,12 +121,12 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   if (change.same) return;
   meshes_->place(panels_.mm_per_pixel());
   set_wound();
-  // under a drag the picture stands still: what is dragged stays under the pointer
+  // during a drag the camera stands still, so that the tool stays under the pointer
   if (!panels_.held()) follow();
   touch();
 }
 
-// What is watched stays in the picture, and so do the tips; through a microscope the field is too small for both.
+// Keeps the watched object and the tips in the picture; not through a microscope, whose field is too small for both.
 void SceneView::follow() {
   const auto watched = scene_.watched();
   if (!watched) return;
@@ -231,7 +231,7 @@ void SceneView::tick() {
   });
 }
 
-// Goes on drawing until the picture stands still: a slow machine is still loading when a fast one has long finished.
+// Requests pictures until they no longer change: loading takes longer on a slow machine.
 void SceneView::arrived(const QImage& image, const std::vector<Panel>& panels) {
   const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
   if (empty && since_card_.elapsed() < kPatience_ms) return pace_.empty();
@@ -242,7 +242,7 @@ void SceneView::arrived(const QImage& image, const std::vector<Panel>& panels) {
   if (first) Q_EMIT ready_changed();
 }
 
-// Words change without a picture, and the display wants both eyes all the time.
+// Texts change without a new picture, and the display needs both eyes all the time.
 void SceneView::send_eyes() {
   if (!eyes_sink_ || !ready() || point_.stereo()->layout != StereoLayout::kShutter) return;
   const std::vector<QImage> eye = painter_.eyes(canvas(), panels(), picture_, words_, instrument());
@@ -282,7 +282,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   look(CameraPreset::kOrbit);
 }
 
-// Tab hands over to the other instrument where the mouse leads two; else it goes on to the next button, as everywhere.
+// Tab switches to the other instrument where the mouse drives two; else it moves the focus, as everywhere.
 bool SceneView::focusNextPrevChild(bool next) {
   if (instrument() && mouse_hands(scene_.card()) > 1) return false;
   return QWidget::focusNextPrevChild(next);

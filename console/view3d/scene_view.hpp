@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The live picture: the 3D scene, and over it the scale, the cue at the grasp, the clock. Works without
-// OpenGL, too: then it says so, and the rest of the window goes on.
+// The live picture: the 3D scene, with scale, cue at the grasp and clock painted over it. Without OpenGL
+// it shows why, and the rest of the window works.
 //
-// The widget passes on what happens. Each job has a class of its own: what is in the scene (SceneState), from where it is looked at
-// (ViewPoint), its panels (PanelLayout), its parts in the renderer (SceneMeshes, SoftMeshes, GhostTools), what is painted over the picture
-// (SceneMarks, ScenePainter), mouse and keys (SceneInput), when a picture is drawn (PicturePace).
+// The widget distributes events and data. Each job has a class of its own: state of the scene (SceneState), viewpoint
+// (ViewPoint), panels (PanelLayout), parts in the renderer (SceneMeshes, SoftMeshes, GhostTools), what is painted over the picture
+// (SceneMarks, ScenePainter), mouse and keys (SceneInput), the time of each picture (PicturePace).
 #pragma once
 
 #include <QElapsedTimer>
@@ -30,77 +30,77 @@ class SceneView : public QWidget {
   Q_OBJECT
  public:
   explicit SceneView(QWidget* parent = nullptr);
-  /// For two eyes: nothing but the scene and its cues.
+  /// The view for two eyes: only the scene and its cues.
   void set_stereo(const StereoLook& look);
-  /// Takes the pictures of both eyes, at display rate, while they are shown in turn (StereoLayout::kShutter); the view shows the left one.
+  /// Receives the pictures of both eyes, at display rate, while they are shown in turn (StereoLayout::kShutter); the view shows the left.
   using EyesSink = std::function<void(const QImage& left, const QImage& right)>;
   void set_eyes_sink(EyesSink sink) { eyes_sink_ = std::move(sink); }
-  /// A mark of a registration over the picture, mm from its middle, +y up; where the size of the screen is known.
+  /// A mark of a registration over the picture, mm from its middle, +y up; needs the size of the screen.
   void set_station_mark(const std::optional<QPointF>& at_mm);
-  /// How the scene is seen here, for the record of an attempt.
+  /// The display settings of this view, for the record of an attempt.
   record::Display display() const { return point_.display(); }
   ~SceneView() override;
 
   const GlProbe& gl() const { return gl_; }
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   void set_card(const snapshot::SceneCard& card, CameraPreset preset = CameraPreset::kOrbit);
-  /// Copies what it needs; call at display rate.
+  /// Copies the data that it needs; to be called at display rate.
   void show_snapshot(const snapshot::Snapshot& snapshot);
   void look(CameraPreset preset);
   OrbitCamera& camera() { return point_.camera; }
-  /// Cues are hidden in Test mode, and by choice.
+  /// False in Test mode, and by choice.
   void set_cues_shown(bool shown);
   bool cues_shown() const { return shown_.cues_shown; }
   void set_forces_shown(bool shown);
-  /// Colours a bending needle by its stress; for the instructor.
+  /// Colours a bending needle by its stress, for the instructor.
   void set_stress_shown(bool shown);
-  /// Over the picture: the clock at the right, a banner in the middle ("" for none).
+  /// Texts over the picture: the clock at the right, a banner in the middle ("" for none).
   void set_texts(const QString& clock, const QString& banner);
-  /// The task, for a trainee's view, which shows it over the lower edge beside clock and verdict.
+  /// The task, shown in a trainee's view over the lower edge beside clock and verdict.
   void set_task(const QString& task);
-  /// What an instructor says, for a trainee's view; "" for nothing.
+  /// An instructor's message in a trainee's view; "" for none.
   void set_message(const QString& words);
   const QString& message() const { return words_.message; }
   const ViewWords& words() const { return words_; }
-  /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
+  /// Control hints over the lower edge, for a new user. Each disappears after its control was used.
   void set_control_hints(const ControlHints& hints);
   const ControlHints& control_hints() const { return input_->hints(); }
-  /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
+  /// Completed share of a hold, drawn as a ring at the grasp; 0 for none.
   void set_hold(double share);
-  /// A second view at right angles, near the jaws: it shows the depth to a person who has only a mouse.
+  /// A second view at right angles, near the jaws: it shows the depth to a person with a mouse only.
   void set_second_shown(bool shown);
-  /// A magnified view of the wound while there is one.
+  /// A magnified view of the wound, if there is one.
   void set_loupe_shown(bool shown);
-  /// While true, mouse and keys drive the instrument and not the camera.
+  /// True: mouse and keys drive the instrument instead of the camera.
   void set_instrument(bool on);
   bool instrument() const { return input_->instrument(); }
-  /// Instruments of somebody else in this scene, seen through, with a name at their tips: until the next card, or without a card. The
-  /// card is of the same lesson; bodies are its.
+  /// Translucent instruments of another attempt, with a name at their tips; removed by the next card or by nullptr. The
+  /// card is of the same lesson, and the indices of show_ghost() are its bodies.
   void set_ghost(const snapshot::SceneCard* card, const QString& name = {});
-  /// Where they are; none: they are not shown.
+  /// Sets the poses of these instruments; empty: hides them.
   void show_ghost(std::span<const swage_pose> X_WB);
   bool ghost_shown() const { return ghost_.shown(); }
-  /// A picture of the scene has arrived since the last card.
+  /// True when a picture of the scene has arrived since the last card.
   bool ready() const { return !picture_.image.isNull(); }
   QImage image() const;
-  /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
+  /// No motion, and the last pictures were equal: the picture is complete, however slow the machine.
   bool resting() const { return pace_.resting(); }
   const FrameTimes& frames() const { return pace_.frames(); }
   /// Pictures drawn since the start.
   uint64_t drawn() const { return pace_.count(); }
-  /// From a movement of mouse or key to the first picture painted that can show it, as far as software sees.
+  /// From a mouse or key event to the first painted picture that can show it, as far as software can measure.
   const FrameTimes& latency() const { return pace_.latency(); }
-  /// Draws again although nothing moved.
+  /// Draws again although nothing changed.
   void redraw() { touch(); }
 
  Q_SIGNALS:
   void pointer(const swage_pointer& input);
-  /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
+  /// Emitted before pointer() when the needle is driven along its circle; no value without a needle at the tips. World frame, as shown.
   void circle(const std::optional<NeedleCircle>& about);
   void ready_changed();
-  /// By keys, a pedal that sends them, or the wheel.
+  /// The zoom was changed by keys, a pedal that sends them, or the wheel.
   void microscope_zoomed(float zoom);
-  /// The person has done what a hint told: "drag", "close", "drive", "open".
+  /// The person has used a control of the hints: "drag", "close", "drive", "open".
   void control_used(const QString& what);
 
  protected:
@@ -132,13 +132,13 @@ class SceneView : public QWidget {
   std::vector<Panel> panels() const { return panels_.panels(); }
 
   GlProbe gl_;
-  std::unique_ptr<Renderer> renderer_;  // none without OpenGL
+  std::unique_ptr<Renderer> renderer_;  // nullptr without OpenGL
   Shown shown_;
   SceneState scene_;
   ViewPoint point_{scene_};
   PanelLayout panels_{scene_, point_};
   GhostTools ghost_;
-  std::unique_ptr<SceneMeshes> meshes_;  // with a renderer
+  std::unique_ptr<SceneMeshes> meshes_;  // nullptr without a renderer
   SceneMarks marks_{scene_, shown_, ghost_};
   ScenePainter painter_{scene_, shown_, point_, marks_};
   SceneInput* input_;

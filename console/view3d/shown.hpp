@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What a person chose to see of the scene, and in which colours.
+// Display options of the scene, and its colours.
 #pragma once
 
 #include "console/cues/cue_theme.hpp"
@@ -12,12 +12,12 @@ namespace swage::console {
 struct Shown {
   UiTheme ui;
   CueTheme cues;
-  bool cues_shown = true;  // hidden in a Test, and by choice
+  bool cues_shown = true;  // false in a Test, and by choice
   bool forces = false;
-  bool stress = false;  // of a bending needle, as its colour
+  bool stress = false;  // colours a bending needle by its stress
 };
 
-/// The cue that an object has now; "" for none, and where cues are hidden.
+/// The present cue of an object; "" for none, and where cues are hidden.
 inline QString cue_of(const SceneState& scene, const Shown& shown, uint32_t object) {
   if (!shown.cues_shown || !scene.have_snapshot() || object >= scene.now().n_object) return {};
   const uint32_t cue = scene.now().object_cue[object];

@@ -7,7 +7,7 @@
 namespace swage::console {
 namespace {
 
-// Slab test: the part of the ray that lies between each pair of faces; the box is met where all three overlap.
+// Slab test: intersects the ranges of the ray between each pair of faces; the box is hit if they overlap.
 bool meets(const Bounds& box, const QVector3D& from, const QVector3D& along) {
   float first = 0, last = 1e9F;
   for (int k = 0; k < 3; ++k) {

@@ -4,50 +4,54 @@
 #include <algorithm>
 #include <utility>
 
+#include "console/view3d/visual_marks.hpp"
+
 namespace swage::console {
 namespace {
 
-constexpr float kFlat_mm = 2e-4F;  // a shallower dent is not seen
+constexpr float kFlat_mm = 2e-4F;  // a shallower dent is not visible
+constexpr uint32_t kApart = 1000;  // difference between the wound numbers of two couplings
+
+/// Each primitive of one kind, on one object.
+template <class F>
+void each(const snapshot::Snapshot& s, uint32_t object, uint32_t kind, const F& take) {
+  for (uint32_t i = 0; i < s.n_visual; ++i)
+    if (s.visual[i].object == object && s.visual[i].visual.kind == kind) take(s.visual[i].visual, s.visual[i].coupling * kApart + s.visual[i].visual.group);
+}
+
+float mm(double metres) { return static_cast<float>(metres * kMmPerM); }
 
 std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Dent> out;
-  for (uint32_t i = 0; i < s.n_dent; ++i) {
-    const swage_dent& d = s.dent[i].dent;
-    const Dent dent{to_mm(d.p_W), to_mm(d.u_W), static_cast<float>(d.radius * kMmPerM)};
-    if (s.dent[i].object == object && dent.u.length() > kFlat_mm) out.push_back(dent);
-  }
+  each(s, object, SWAGE_VISUAL_DENT, [&](const swage_visual& v, uint32_t) {
+    const Dent dent{to_mm(v.a), to_mm({v.b.x - v.a.x, v.b.y - v.a.y, v.b.z - v.a.z}), mm(v.radius)};
+    if (dent.u.length() > kFlat_mm) out.push_back(dent);
+  });
   return out;
 }
 
-constexpr int kMostSteps = 24;     // along a tear: on one to the rim triangles are a little coarser
-constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
-
+constexpr int kMostSteps = 24;     // largest number of steps along a tear; the triangles towards its rim are a little coarser
 QVector3D direction(const swage_vec3& n) {
   return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
 }
 
-// Of each wound last the place where the needle is or was last: there it gapes.
+// The last tear of each wound is the present or last place of the needle, where the wound gapes.
 std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Tear> out;
-  for (uint32_t i = 0; i < s.n_tear; ++i) {
-    const swage_tear& t = s.tear[i].tear;
-    if (s.tear[i].object == object)
-      out.push_back({to_mm(t.a_W), to_mm(t.b_W), direction(t.normal_W),
-                     static_cast<float>(t.radius * kMmPerM), s.tear[i].coupling * kApart + t.wound});
-  }
-  for (uint32_t i = 0; i < s.n_wound; ++i) {
-    const swage_wound& w = s.wound[i].wound;
-    const uint32_t number = s.wound[i].coupling * kApart + w.wound;
+  each(s, object, SWAGE_VISUAL_TEAR, [&](const swage_visual& v, uint32_t number) {
+    out.push_back({to_mm(v.a), to_mm(v.b), direction(v.direction), mm(v.radius), number});
+  });
+  each(s, object, SWAGE_VISUAL_WOUND, [&](const swage_visual& v, uint32_t number) {
     const auto own = std::find_if(out.begin(), out.end(), [&](const Tear& t) { return t.wound == number; });
-    if (own == out.end()) continue;
+    if (own == out.end()) return;
     Tear needle = *own;
-    needle.a = needle.b = to_mm(w.p_W);
+    needle.a = needle.b = to_mm(v.a);
     out.push_back(needle);
-  }
+  });
   return out;
 }
 
-// A coupling that pierces tells its last entry and exit in signals of these names.
+// The last entry and exit of a coupling that pierces, from signals of these names.
 Punctures punctures_of(const SceneState& scene) {
   const std::vector<judge::Name>& names = scene.card().script.signals;
   const auto value = [&](const std::string& owner, const std::string& id) {
@@ -66,7 +70,7 @@ Punctures punctures_of(const SceneState& scene) {
   return out;
 }
 
-// Where the surface must be fine: at its dents, and along its wounds, or its coarse triangles would stand out of them.
+// The places where the surface mesh is refined: its dents, and its wounds, which coarse triangles would cover.
 std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<Tear>& tears) {
   std::vector<Dent> out = dents;
   for (const Tear& t : tears) {
@@ -88,14 +92,15 @@ void SoftMeshes::add() {
   drawn_ = false;
 }
 
-// anatomy, not a cue: as red as it is in any palette
+// the red of anatomy, not a cue: the same in every theme
 void SoftMeshes::colour(const UiTheme& ui) {
   renderer_.set_surface(part_[kLip], {ui["wound_lip"], 0, 60, Finish::kMoist});
   renderer_.set_surface(part_[kFlesh], {ui["wound_flesh"], 0, 70, Finish::kMoist});
   renderer_.set_surface(part_[kDepth], {ui["wound_depth"], 0, 30});
+  renderer_.set_surface(part_[kInk], {ui["ink"], 0, 12});
 }
 
-void SoftMeshes::place(const SceneState& scene) {
+void SoftMeshes::place(const SceneState& scene, double mm_per_pixel) {
   WoundMeshes wounds;
   wound_ = {};
   const std::vector<ScenePart>& parts = scene.parts().part;
@@ -124,10 +129,15 @@ void SoftMeshes::place(const SceneState& scene) {
       wounded_object_ = part.object;
     }
   }
-  if (!std::exchange(drawn_, wound_.there()) && !drawn_) return;
+  Mesh ink;
+  Mesh* const by_tone[SWAGE_TONES] = {&ink, &wounds.flesh, &wounds.depth};
+  const bool marked = append_marks(scene.now(), mm_per_pixel, by_tone);
+  const bool there = marked || wound_.there();
+  if (!std::exchange(drawn_, there) && !drawn_) return;
   renderer_.set_mesh(part_[kLip], wounds.lip);
   renderer_.set_mesh(part_[kFlesh], wounds.flesh);
   renderer_.set_mesh(part_[kDepth], wounds.depth);
+  renderer_.set_mesh(part_[kInk], ink);
 }
 
 }  // namespace swage::console

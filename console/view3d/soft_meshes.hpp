@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Soft things in the renderer: their surface where it is dented, and the wounds in it. [main]
+// What objects have drawn on them (swage.visual/1) in the renderer: dented surfaces, the wounds in them, lines, discs, tubes. [main]
 #pragma once
 
 #include <array>
@@ -16,24 +16,24 @@ namespace swage::console {
 class SoftMeshes {
  public:
   explicit SoftMeshes(Renderer& renderer) : renderer_(renderer) {}
-  /// Parts of its own, after those of the scene; nothing is dented yet.
+  /// Adds the parts of the wounds after those of the scene; all surfaces are at rest.
   void add();
   void colour(const UiTheme& ui);
-  /// As the last snapshot has them.
-  void place(const SceneState& scene);
-  /// The greatest in the scene; none when there is none.
+  /// As the last snapshot has them. `mm_per_pixel`: of the first panel, for lines.
+  void place(const SceneState& scene, double mm_per_pixel);
+  /// The greatest wound in the scene; there() is false when there is none.
   const WoundPlace& wound() const { return wound_; }
-  /// In which object it is.
+  /// The object that has it.
   uint32_t wounded_object() const { return wounded_object_; }
 
  private:
-  enum Depth : size_t { kLip, kFlesh, kDepth };
+  enum Depth : size_t { kLip, kFlesh, kDepth, kInk };
   Renderer& renderer_;
-  std::set<int> dented_;  // parts that are not as they were at rest
+  std::set<int> dented_;  // parts with a displaced surface
   WoundPlace wound_;
   uint32_t wounded_object_ = 0;
   bool drawn_ = false;
-  std::array<int, 3> part_{-1, -1, -1};  // by Depth
+  std::array<int, 4> part_{-1, -1, -1, -1};  // by Depth
 };
 
 }  // namespace swage::console

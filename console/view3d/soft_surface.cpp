@@ -9,9 +9,9 @@
 namespace swage::console {
 namespace {
 
-constexpr int kMostRounds = 12;  // of halving: from a wall of 20 mm to 5 um
+constexpr int kMostRounds = 12;  // of edge halving: from a wall of 20 mm to 5 um
 constexpr float kStill_mm =
-    0.05F;  // a dent that moves less than this leaves the triangles alone, so that light does not flicker
+    0.05F;  // a smaller change of a dent does not change the mesh, so that the lighting does not flicker
 
 QVector3D at(const float v[3]) { return {v[0], v[1], v[2]}; }
 
@@ -19,7 +19,7 @@ void put(const QVector3D& p, const QVector3D& n, Mesh& out) {
   out.vertex.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}});
 }
 
-// Halves edges and parts their triangles in two, three or four. False when there was nothing to halve.
+// Halves long edges and splits their triangles into two, three or four. False when no edge was halved.
 template <class TooLong>
 bool halve_edges(Mesh& mesh, const TooLong& too_long) {
   std::vector<uint32_t> parted;
@@ -40,7 +40,7 @@ bool halve_edges(Mesh& mesh, const TooLong& too_long) {
     for (size_t k = 0; k < 3; ++k) v[k] = mesh.index[i + k];
     for (size_t k = 0; k < 3; ++k) cut[k] = too_long(mesh.vertex[v[k]], mesh.vertex[v[(k + 1) % 3]]);
     const int n = cut[0] + cut[1] + cut[2];
-    // turned so that an odd edge comes first: the only one cut, or, of two, the only one whole
+    // rotates the triangle so that the odd edge comes first: the only one halved, or, of two, the only one kept
     size_t first = 0;
     while (n > 0 && n < 3 && cut[first] != (n == 1)) ++first;
     const uint32_t a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
@@ -63,7 +63,7 @@ bool halve_edges(Mesh& mesh, const TooLong& too_long) {
 
 }  // namespace
 
-// Whether an edge is halved depends on the edge alone, so both its triangles agree and no gap opens between them.
+// Whether an edge is halved depends on the edge alone, so that both its triangles agree and no gap opens between them.
 Mesh refined(const Mesh& mesh, const QMatrix4x4& X_WB, const std::vector<Dent>& dents, float share) {
   const QMatrix4x4 X_BW = X_WB.inverted();
   std::vector<Dent> near;

@@ -10,11 +10,11 @@
 namespace swage::console {
 namespace {
 
-// the most that a piece stretches before it breaks: nylon breaks at some 20 %
+// greatest stretch of a piece before it counts as broken: nylon breaks at about 1.2
 constexpr double kMostStretch = 1.5;
-// two neighbouring points turn by about so much [rad], 4 degrees; more shows as corners under the microscope
+// angle between neighbouring segments [rad], 4 degrees; a larger one shows as corners under the microscope
 constexpr double kTurn_rad = 0.07;
-constexpr int kMostPoints = 12;  // of a piece
+constexpr int kMostPoints = 12;  // in a piece
 
 Vec at(std::span<const double> line, size_t i) { return {line[3 * i], line[3 * i + 1], line[3 * i + 2]}; }
 
@@ -30,7 +30,7 @@ std::vector<double> smooth_line(std::span<const double> line) {
   const size_t n = line.size() / 3;
   std::vector<double> out;
   if (n < 3) return {line.begin(), line.end()};
-  // beyond an end the line goes straight on
+  // linear extrapolation beyond an end
   const auto p = [&](size_t i, int by) {
     if (by < 0 && i == 0) return at(line, 0) * 2 - at(line, 1);
     if (by > 0 && i + 1 == n) return at(line, n - 1) * 2 - at(line, n - 2);

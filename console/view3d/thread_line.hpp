@@ -13,24 +13,24 @@ namespace swage::console {
 
 struct ThreadLine {
   uint32_t object = 0, body = 0;
-  uint32_t first = 0;         // of its vertices among the snapshot's particles
+  uint32_t first = 0;         // index of its first vertex among the snapshot's particles
   double radius = 0;          // m
-  double longest = 0;         // m: a piece that is longer has parted
-  std::vector<double> start;  // x y z [m, world] of its vertices
+  double longest = 0;         // m: a longer piece counts as broken
+  std::vector<double> start;  // x y z [m, world] of its vertices at the start
 
   double length() const;  // m
   uint32_t vertices() const { return static_cast<uint32_t>(start.size() / 3); }
-  /// Triangles, world, mm. `least`: m, the radius below which nothing could be seen.
+  /// Triangles, world frame, mm. `least`: m, smallest visible radius.
   Mesh mesh(std::span<const double> p_W, double least) const;
-  /// The same of its part [from, to] (0..1 by length), `grow` times as thick.
+  /// Triangles of its part [from, to] (0..1 by length), `grow` times as thick.
   Mesh part(std::span<const double> p_W, double least, double from, double to, double grow) const;
 };
 
-/// The chains of a scene that are drawn, in the order of the card.
+/// The threads of a scene that are drawn, in the order of the card.
 std::vector<ThreadLine> find_threads(const snapshot::SceneCard& card);
 
-/// More points between those of a line of x y z, on a curve through them all that bends smoothly (Catmull and Rom): so many that
-/// neighbours turn by little.
+/// Inserts points on a smooth curve through the points x y z of a line (Catmull and Rom), as many as keep the angle between
+/// neighbouring segments small.
 std::vector<double> smooth_line(std::span<const double> line);
 
 }  // namespace swage::console

@@ -10,7 +10,7 @@ namespace {
 
 QVector3D place(const Vertex& v) { return {v.p[0], v.p[1], v.p[2]}; }
 
-// the vertex where an edge meets the plane, `u` of the way
+// the vertex where an edge meets the plane, at the fraction `u` of the edge
 Vertex between(const Vertex& a, const Vertex& b, float u) {
   Vertex out = a;
   for (int i = 0; i < 3; ++i) {
@@ -20,7 +20,7 @@ Vertex between(const Vertex& a, const Vertex& b, float u) {
   return out;
 }
 
-// Both sides, as an outline may run either way round.
+// Closes the cut with faces on both sides, as the outline may run either way round.
 void close(Mesh& mesh, const std::vector<std::pair<QVector3D, QVector3D>>& outline, const QVector3D& n) {
   QVector3D middle;
   for (const auto& [a, b] : outline) middle += (a + b) / (2.F * static_cast<float>(outline.size()));

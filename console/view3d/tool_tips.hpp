@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Of instruments only the tips: what else there is of them stands in the way of the eye (the thesis, 1.3).
+// Reduces instruments to their tips: the rest would hide the work from the eye (the thesis, 1.3).
 #pragma once
 
 #include <QVector3D>
@@ -10,13 +10,13 @@
 
 namespace swage::console {
 
-/// mm of an instrument that are left, from its tips on: more than a needle is long.
+/// Length of an instrument that is kept, from its tips on, mm: more than the length of a needle.
 inline constexpr float kTips_mm = 8;
 
-/// What lies on the side of the plane through p to which n does not point, closed where it was cut.
+/// The part of a mesh on the negative side of the plane through p with normal n, closed at the cut.
 Mesh cut(const Mesh& mesh, const QVector3D& p, const QVector3D& n);
 
-/// Cuts every instrument kTips_mm behind its tips, square to the way from its tips to its middle.
+/// Cuts every instrument kTips_mm behind its tips, perpendicular to the line from its tips to its middle.
 void keep_tips(const snapshot::SceneCard& card, SceneParts& parts);
 
 }  // namespace swage::console

@@ -8,10 +8,10 @@
 namespace swage::console {
 namespace {
 
-// What is cut away, of the distance to the picture: nearer than a tenth nobody can look, beyond three times nothing is.
+// Near and far plane over the distance to the picture: no eye comes nearer than a tenth, and nothing lies beyond three times.
 constexpr float kNear = 0.1F, kFar = 3;
 
-// An eye beside the middle looks straight ahead, through the same window as the other.
+// An eye beside the middle looks straight ahead, through the same window as the other eye.
 Eye beside(const OrbitCamera& camera, const TrueSize& station, const QSizeF& window_mm, float offset_mm) {
   const float scale = station.scale, d = station.distance_mm / scale, aside = offset_mm / scale;
   const float half_w = 0.5F * static_cast<float>(window_mm.width()) / scale, half_h = 0.5F * static_cast<float>(window_mm.height()) / scale;
@@ -34,7 +34,7 @@ QSizeF mm_per_pixel(const TrueSize& station, const QSize& screen_px) {
 }
 
 float look_down_deg(const TrueSize& station, bool by_mirror) {
-  // a line at the angle a is reflected in one at the angle m to 2 m - a
+  // a mirror at the angle m reflects a line at the angle a into one at 2 m - a
   const float picture = by_mirror ? 2 * station.mirror_tilt_deg - station.screen_tilt_deg : station.screen_tilt_deg;
   const float folded = std::abs(std::remainder(picture, 180.F));  // 0 lies flat, 90 stands
   return 90 - folded;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The few vector formulas that drawing needs, in double, on the boundary's plain structs.
+// The vector formulas needed for drawing, in double, on the plain structs of the plugin boundary.
 #pragma once
 
 #include <swage/abi/base.h>

@@ -11,14 +11,14 @@
 namespace swage::console {
 namespace {
 
-constexpr float kRoom = 1.2F;       // space around what is framed
-constexpr float kLeast_mm = 0.3F;   // radius framed at least
-constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
+constexpr float kRoom = 1.2F;       // factor on the framed radius
+constexpr float kLeast_mm = 0.3F;   // smallest framed radius
+constexpr float kMoved_mm = 0.02F;  // smallest motion of a mark that the camera follows
 constexpr float kAnywhere_mm = 1e6F;
-constexpr float kStands = 0.7F;           // level part of its plane's normal: a needle that lies is looked at as everything is
-constexpr float kBehindTool = 0.3F;       // of the way to the viewer: from here on the tool is in the way
-constexpr float kRoundNeedle = 2;         // of the radius of its curve: the needle and the marks beside it stay clear
-constexpr float kJaws_mm = 4;             // before the needle: jaws that hold it are seen, the joint and the shaft behind them are not
+constexpr float kStands = 0.7F;           // horizontal part of the needle plane's normal; below it the needle lies flat
+constexpr float kBehindTool = 0.3F;       // cosine between view direction and tool: above it the tool stands in the way
+constexpr float kRoundNeedle = 2;         // in radii of the needle's curve: needle and the marks beside it stay clear
+constexpr float kJaws_mm = 4;             // depth before the needle: jaws within it are shown, the joint and the shaft behind are cut away
 constexpr float kFromTheFront_deg = -90;  // a person at a station sits before the scene
 
 QVector3D middle_of(const Mesh& mesh) {
@@ -46,7 +46,7 @@ void ViewPoint::look(CameraPreset preset) {
   look_near();
 }
 
-// At the mark that is in the world, else at what is watched.
+// Looks at the first mark that is a point in the world; without one the present point stays. True when there is a point.
 bool ViewPoint::look_near() {
   if (preset_ != CameraPreset::kNear) return near_.has_value();
   const std::optional<QVector3D> at = scene_.first_point();
@@ -56,8 +56,8 @@ bool ViewPoint::look_near() {
   return true;
 }
 
-// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve. Where something
-// stands before the needle, such as the flap into which it is to go, one looks from the front.
+// From the side the camera looks perpendicular to the plane of an upright needle, past the tool: the needle is driven in this plane. Where
+// something hides the needle, such as the flap to be pierced, the camera looks from the front.
 void ViewPoint::look_aside() {
   if (preset_ != CameraPreset::kSide || !scene_.have_card()) return;
   const QVector3D tips = scene_.middle_of_tips();
@@ -65,7 +65,7 @@ void ViewPoint::look_aside() {
   if (!circle) return;
   QVector3D level(circle->axis.x(), circle->axis.y(), 0);
   if (level.length() < kStands) return;
-  QVector3D handle;  // from the tips
+  QVector3D handle;  // direction of the handle, from the tips
   for (const ScenePart& part : scene_.parts().part)
     if (part.role == Role::kTool && part.chain < 0) handle += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
   const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
@@ -111,7 +111,7 @@ Lens ViewPoint::lens(const QSize& panel_px, const Eye& eye) const {
 }
 
 QSizeF ViewPoint::screen_mm_per_pixel() const {
-  constexpr double kUsual_mm = 25.4 / 96;  // of a screen that nobody has measured
+  constexpr double kUsual_mm = 25.4 / 96;  // pixel size of a screen without measurements
   if (!stereo_->true_size.known()) return {kUsual_mm, kUsual_mm};
   return console::mm_per_pixel(stereo_->true_size, screen_px_);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// From where the scene is looked at: at marks, square onto a needle's plane, with the eyes of a person or of a microscope. [main]
+// The viewpoint: at marks, perpendicular to a needle's plane, with the eyes of a person or of a microscope. [main]
 #pragma once
 
 #include <QSize>
@@ -25,31 +25,31 @@ class ViewPoint {
   explicit ViewPoint(const SceneState& scene) : scene_(scene) {}
   OrbitCamera camera;
 
-  /// Frames the card that the scene has now, without gliding.
+  /// Frames the present card of the scene, without gliding.
   void frame(CameraPreset preset);
   void look(CameraPreset preset);
-  /// Goes to the mark in the world that the preset looks at; whether it does.
+  /// Moves to the mark in the world that the preset looks at; returns whether there is or was one.
   bool look_near();
 
   void set_stereo(const StereoLook& look);
-  /// Nothing: one eye, the instructor's.
+  /// No value: one eye, the instructor's view.
   const std::optional<StereoLook>& stereo() const { return stereo_; }
-  /// Whether a microscope is looked through.
+  /// Whether the view is that of a microscope.
   bool microscope() const { return stereo_ && stereo_->microscope.on; }
-  /// A step of its zoom; whether that changed it.
+  /// Steps of its zoom; returns whether it changed.
   bool zoom_microscope(int notches);
-  /// Steps of its focus, towards the person or away; whether that moved it. The next scene begins in focus.
+  /// Steps of its focus, towards the person or away; returns whether it changed. The next scene begins in focus.
   bool focus_microscope(int steps);
-  /// How a panel blurs.
+  /// The depth of field of a panel.
   Lens lens(const QSize& panel_px, const Eye& eye) const;
-  /// Pixels of the screen that the view is on.
+  /// Size in pixels of the screen that shows the view.
   void set_screen(const QSize& pixels) { screen_px_ = pixels; }
   QSizeF screen_mm_per_pixel() const;
-  /// The eyes of a panel of this size in pixels: left and right, or the middle one twice. Only for stereo().
+  /// The eyes of a panel of this size in pixels: left and right, or the middle one twice. Only with stereo().
   std::array<Eye, 2> eyes(const QSizeF& panel) const;
-  /// What instruments must not hide: from the side the needle that they drive. A trainee's view shows all of them, as a microscope does.
+  /// The disc that instruments must not hide: around the driven needle in the side view. A trainee's view, as a microscope, hides nothing.
   ClearSight clear_sight() const;
-  /// How the scene is seen here, for the record of an attempt.
+  /// The display settings of this view, for the record of an attempt.
   record::Display display() const;
 
  private:
@@ -58,9 +58,9 @@ class ViewPoint {
 
   const SceneState& scene_;
   CameraPreset preset_ = CameraPreset::kOrbit;
-  std::optional<QVector3D> near_;  // the mark looked at
+  std::optional<QVector3D> near_;  // the mark that the camera looks at
   std::optional<StereoLook> stereo_;
-  float focus_mm_ = 0;  // of the microscope, before the middle of what is framed
+  float focus_mm_ = 0;  // focus offset of the microscope, before the middle of the framed sphere
   QSize screen_px_;
 };
 

@@ -10,8 +10,8 @@
 namespace swage::console {
 namespace {
 
-constexpr double kStation_rad = 0.05;  // along the arc between two points of the line: 3 degrees
-constexpr int kLeastStations = 3;      // of a piece
+constexpr double kStation_rad = 0.05;  // arc angle between two points of the line: 3 degrees
+constexpr int kLeastStations = 3;      // per piece
 
 Vec on_arc(const snapshot::CardShape& arc, const swage_pose& X_WB, double share) {
   const double a = share * arc.sweep;
@@ -24,7 +24,7 @@ double apart(const Vec& a, const Vec& b) {
   return std::sqrt(dot(d, d));
 }
 
-// each piece begins where the one before ends; the first is the one whose beginning is nobody's end
+// each piece begins at the end of the one before; the first is the one that begins at no other's end
 void put_in_order(std::vector<snapshot::CardShape>& pieces, const std::vector<swage_pose>& X_WB) {
   std::vector<snapshot::CardShape> rest = std::move(pieces);
   pieces.clear();

@@ -8,7 +8,7 @@
 
 namespace swage::console {
 
-/// One bar per metric: the experts' band, and a mark at the latest value, filled where it lies in the band or better. Left is better.
+/// One bar per metric: the experts' band, and a mark at the latest value, filled if inside the band or better. Left is better.
 class BandBars : public QWidget {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class BandBars : public QWidget {
   const QVector<MetricBar>& bars() const { return bars_; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {220, sizeHint().height()}; }
-  /// Draws into any rectangle: the screen's, or a page's.
+  /// Draws into any rectangle, of the screen or of a printed page.
   void paint(QPainter& p, const QRectF& area, const UiTheme& theme) const;
 
  protected:

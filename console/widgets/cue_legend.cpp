@@ -13,19 +13,19 @@ namespace swage::console {
 namespace {
 
 constexpr int kSign_px = 18, kCueRow_px = 26;
-constexpr int kMostTall = 4;  // rows that have two lines; more are one line each, cut short where that is too long
+constexpr int kMostTall = 4;  // largest number of rows with two lines; more rows have one line each, elided if too long
 constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
-// Of the usual size, where the words of one row do not fit its line: all are written so much smaller, down to what is still read at arm's length.
+// smallest size of the texts, in units of the usual one, still legible at arm's length; all rows use one size, so that the longest fits.
 constexpr double kSmallest = 0.75;
-constexpr double kStep = 0.025;  // between the sizes that are tried: less than a pixel of letters as high as these
+constexpr double kStep = 0.025;  // step between the tried sizes: less than a pixel in the height of the letters
 
 }  // namespace
 
-/// One meaning: its signs in its colour, its words.
+/// One meaning: its signs in its colour, its text.
 class CueLegend::Row : public QWidget {
  public:
-  /// `wide`: some sign of this column has two parts, and all its words stand behind that. `low`: one line and no more.
+  /// `wide`: a sign of this column has two parts, and all texts of the column begin behind it. `low`: a single line.
   Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, CueLegend* legend)
       : QWidget(legend), legend_(legend), style_(style), ui_(ui), wide_(wide), low_(low) {
     setFixedHeight(low ? kLow_px : kCueRow_px);
@@ -41,10 +41,10 @@ class CueLegend::Row : public QWidget {
     setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
     update();
   }
-  /// Whether its words have room in one line at this size. They are measured at that size: each letter is as wide as whole pixels, so
-  /// that words of nine tenths of the size may be as wide as before.
+  /// Whether the text fits one line at this size. It is measured at that size: letter widths are rounded to whole pixels, so
+  /// that text at nine tenths of the size may be as wide as before.
   bool fits(double scale) const { return QFontMetricsF(words_font(scale)).horizontalAdvance(style_.text) <= room().width(); }
-  /// px, that the whole row asks for
+  /// px, width of the whole row without elision
   int natural_px() const { return static_cast<int>(room().left() + words_px()) + 4; }
 
  protected:
@@ -61,7 +61,7 @@ class CueLegend::Row : public QWidget {
     QFont text = words_font(legend_->scale());
     QFont bold = text;
     bold.setBold(true);
-    // bold words are wider; the frame tells alone where they would be cut short
+    // bold text is wider; where it would be elided only the frame marks the row
     if (active_ && QFontMetricsF(bold).horizontalAdvance(style_.text) <= room().width()) text = bold;
     p.setFont(text);
     p.setPen(ui_["text"]);
@@ -131,7 +131,7 @@ void CueLegend::set_meanings(const QStringList& meanings) {
   fill();
 }
 
-// A column is as wide as its words ask for, as those of the grasp are twice as long as the others.
+// Column widths follow their texts, as those of the grasp are twice as long as the others.
 void CueLegend::add_column(const QStringList& meanings, int column, bool low) {
   const bool wide = std::any_of(meanings.begin(), meanings.end(), [this](const QString& m) { return cues_.style(m).shape.size() > 1; });
   int widest_px = 1, line = 0;

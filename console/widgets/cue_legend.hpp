@@ -10,7 +10,7 @@
 
 namespace swage::console {
 
-/// What the cues of this lesson mean: colour, shape and word of each. What is on now is framed and bold.
+/// The meanings of this lesson's cues: colour, shape and text of each. Active ones are framed and bold.
 class CueLegend : public QFrame {
   Q_OBJECT
  public:
@@ -18,11 +18,11 @@ class CueLegend : public QFrame {
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   void set_meanings(const QStringList& meanings);
   void set_active(const QStringList& meanings);
-  /// Whether the picture shows the cues; if not, a line says that only this strip does.
+  /// Whether the picture shows the cues; if not, a line says that only this legend does.
   void set_in_picture(bool shown);
-  /// Whether the words of some row do not fit one line: then all are written smaller, so that they have one size.
+  /// Whether the text of some row exceeds one line: then all rows use one smaller size.
   bool has_long_words() const;
-  /// Words that do not fit even then, and are cut short: their tip has them whole.
+  /// Texts that are elided even at the smallest size; their tooltips are complete.
   QStringList cut_words() const;
 
   const QStringList& meanings() const { return meanings_; }
@@ -31,15 +31,15 @@ class CueLegend : public QFrame {
  private:
   class Row;
   void fill();
-  bool fit(double scale) const;  // all words at this size
-  double scale() const;          // of the words' usual size
+  bool fit(double scale) const;  // all texts fit at this size
+  double scale() const;          // of the texts, in units of the usual size
   void add_column(const QStringList& meanings, int column, bool low);
   CueTheme cues_;
   UiTheme ui_;
   QStringList meanings_, active_;
-  bool has_lesson_ = false;  // without one nothing is said of its cues
+  bool has_lesson_ = false;  // without a lesson its cues are not mentioned
   QVector<Row*> rows_;
-  mutable double scale_ = 0;  // 0: to be found anew
+  mutable double scale_ = 0;  // 0: to be computed again
   QLabel *heading_, *empty_;
   QGridLayout* grid_;
 };

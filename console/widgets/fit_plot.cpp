@@ -8,8 +8,8 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLeft_px = 46, kText_px = 18, kDot_px = 4, kShare = 0.62;  // of the height that the line has
-constexpr double kRoom = 1.6;  // of the band: residuals beyond are drawn at the edge
+constexpr double kLeft_px = 46, kText_px = 18, kDot_px = 4, kShare = 0.62;  // kShare: of the height, for the fitted line
+constexpr double kRoom = 1.6;  // range of the residual axis over the band: larger residuals are drawn at the edge
 
 struct Range {
   double low = 1e300, high = -1e300;

@@ -8,7 +8,7 @@
 
 namespace swage::console {
 
-/// A straight line through measured points, and below it what is left of each: filled dots were used, crosses were left out.
+/// A straight line through measured points, and below it the residuals: filled dots were used in the fit, crosses were not.
 class FitPlot : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class FitPlot : public QWidget {
   explicit FitPlot(QWidget* parent = nullptr);
   void set_titles(const QString& x, const QString& y, const QString& residual);
   void set_theme(const UiTheme& theme);
-  /// `allowed`: the band of the residuals; `slope` in y over x, 0 while there is no line.
+  /// `allowed`: half the band of the residuals; `slope` in y over x, 0 without a fit.
   void set_points(std::vector<Point> points, double slope, double offset, double allowed);
   QSize sizeHint() const override { return {380, 260}; }
 

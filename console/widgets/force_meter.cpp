@@ -50,9 +50,18 @@ QString ForceMeter::nothing() const { return held_ ? tr("no contact") : tr("no g
 void ForceMeter::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const bool over = value_ && *value_ > limit_;
+  paint_number(p);
+  const QRectF bar(0.5, 40.5, width() - 1, 14);
+  paint_bar(p, bar);
+  paint_scale(p, bar);
+}
 
-  // the number, and what it means
+double ForceMeter::x_of(double newtons, const QRectF& bar) const {
+  return bar.left() + bar.width() * std::clamp(newtons / most_, 0.0, 1.0);
+}
+
+// Paints the number and its meaning.
+void ForceMeter::paint_number(QPainter& p) const {
   QFont big = font();
   big.setPointSizeF(font().pointSizeF() * 1.9);
   big.setBold(true);
@@ -61,31 +70,36 @@ void ForceMeter::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(0, 0, width(), 34), Qt::AlignLeft | Qt::AlignVCenter,
              value_ ? shown_ : QStringLiteral("–"));
   p.setFont(font());
-  const bool low = value_ && *value_ < low_;
+  const bool low = value_ && *value_ < low_, over = value_ && *value_ > limit_;
   const QString word = !value_ ? nothing() : !judges() ? QString() : over ? tr("! too much") : low ? tr("light") : tr("good");
   p.setPen(!value_ || low ? theme_["muted"] : over ? theme_["bad"] : theme_["good"]);
   p.drawText(QRectF(0, 0, width(), 34), Qt::AlignRight | Qt::AlignVCenter, word);
+}
 
-  // the bar: good band, filled part, limit
-  const QRectF bar(0.5, 40.5, width() - 1, 14);
-  const auto x = [&](double n) { return bar.left() + bar.width() * std::clamp(n / most_, 0.0, 1.0); };
+// good band, filled part, limit
+void ForceMeter::paint_bar(QPainter& p, const QRectF& bar) const {
+  const auto x = [&](double n) { return x_of(n, bar); };
   p.setPen(QPen(theme_["border"], 1));
   p.setBrush(theme_["raised"]);
   p.drawRoundedRect(bar, 4, 4);
   p.setPen(Qt::NoPen);
   if (judges()) p.fillRect(QRectF(x(low_), bar.top() + 1, x(limit_) - x(low_), bar.height() - 2), theme_["band"]);
   if (value_ && *value_ > 0) {
-    p.setBrush(over ? theme_["bad"] : theme_["plot"]);
+    p.setBrush(*value_ > limit_ ? theme_["bad"] : theme_["plot"]);
     p.drawRoundedRect(QRectF(bar.left(), bar.top() + 4, x(*value_) - bar.left(), bar.height() - 8), 3, 3);
   }
   p.setPen(QPen(theme_["bad"], 2));
   if (judges()) p.drawLine(QPointF(x(limit_), bar.top() - 3), QPointF(x(limit_), bar.bottom() + 3));
+}
+
+void ForceMeter::paint_scale(QPainter& p, const QRectF& bar) const {
+  const auto x = [&](double n) { return x_of(n, bar); };
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.85);
   p.setFont(small);
   p.setPen(theme_["muted"]);
   for (const double tick : {0.0, low_, limit_, most_}) {
-    // a number that would run into its neighbour is left out
+    // a tick label that would overlap its neighbour is left out
     if (!judges() && (tick == low_ || tick == limit_) && tick != 0) continue;
     if (tick == low_ && x(low_) - x(0) < 24) continue;
     const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);

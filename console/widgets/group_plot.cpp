@@ -12,10 +12,10 @@ namespace swage::console {
 namespace {
 
 constexpr double kDot_px = 4, kLeft_px = 56, kTop_px = 46, kBottom_px = 28, kKey_px = 18;
-constexpr int kMostNamed = 6;      // people that the key has room for
-constexpr double kBetween = 0.25;  // of a lesson's width, free
+constexpr int kMostNamed = 6;      // largest number of people in the legend
+constexpr double kBetween = 0.25;  // gap between lessons, as a share of a lesson's width
 
-// Okabe and Ito's colours, and a shape each: told apart without colour, and when printed in grey.
+// Colours of Okabe and Ito, each with a shape, so that people can be told apart without colour and in grey print.
 const QColor kColours[] = {QColor(0, 114, 178), QColor(230, 159, 0), QColor(0, 158, 115),
                            QColor(204, 121, 167), QColor(213, 94, 0), QColor(86, 180, 233)};
 
@@ -31,7 +31,7 @@ QPolygonF shape(int i, const QPointF& c) {
     case 4:
       return {{c.x(), c.y() + 1.2 * r}, {c.x() + 1.2 * r, c.y() - r}, {c.x() - 1.2 * r, c.y() - r}};
     default:
-      return {};  // a circle
+      return {};  // an empty path: a circle
   }
 }
 
@@ -102,7 +102,7 @@ void GroupPlot::paint_cell(QPainter& p, const QRectF& a, int lesson, int person)
   const double middle = a.left() + lesson * w + 0.5 * kBetween * w + (person + 0.5) * room;
   const auto n = static_cast<double>(cell.dots.size());
   for (int i = 0; i < cell.dots.size(); ++i) {
-    // in their order from left to right, so that equal values do not hide each other
+    // spread from left to right in order of time, so that equal values do not cover each other
     const double x = middle + (n > 1 ? 0.7 * room * (i / (n - 1) - 0.5) : 0);
     paint_dot(p, person, cell.dots[i].passed, {x, y(a, cell.dots[i].value)});
   }

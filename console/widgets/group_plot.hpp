@@ -8,7 +8,7 @@
 
 namespace swage::console {
 
-/// Lessons beside each other, in each a column per person: a dot per attempt, filled where it was passed, and a bar at the mean.
+/// Lessons side by side, each with a column per person: a dot per attempt, filled if passed, and a bar at the mean.
 class GroupPlot : public QWidget {
   Q_OBJECT
  public:

@@ -119,7 +119,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
   if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
   if (p.param.type == SWAGE_PARAM_VECTOR && p.param.dimension == 2) box->setPrefix(component == 0 ? tr("from ") : tr("to "));
   box->setValue(start * factor);
-  box->setKeyboardTracking(false);  // while typing "0.25" neither 0 nor 0.2 is meant
+  box->setKeyboardTracking(false);  // while "0.25" is typed, neither 0 nor 0.2 is set
   connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });
   return box;
 }
@@ -172,8 +172,8 @@ void LiveForm::enable(const Field& field) {
   field.back->setEnabled(running_ && field.means && field.value != field.param.start);
 }
 
-// What follows this choice starts from another value; one that nobody has touched moves with it, and one that means nothing under
-// this choice is not kept.
+// Parameters that follow this choice have other start values under it; an unedited one changes with the choice, and one without a meaning
+// under it is reset.
 void LiveForm::take_start(const Field& choice) {
   if (choice.param.param.type != SWAGE_PARAM_CHOICE) return;
   const auto chosen = static_cast<std::size_t>(choice.value[0]);
@@ -245,8 +245,8 @@ QString LiveForm::title_of(const std::string& id) const {
   return title;
 }
 
-// "hold" finds the time of a hold and not all of the holder; "needle" all of the needle; "tiss" all of the tissue, where no value is
-// called so
+// "hold" matches the time of a hold and not all parameters of the holder; "needle" matches all of the needle; "tiss" all of the tissue, if
+// no parameter's name matches
 bool LiveForm::find(const QString& text) {
   const auto named = [&](const Field& field) { return field.label->text().contains(text, Qt::CaseInsensitive); };
   const bool names = std::any_of(fields_.begin(), fields_.end(), named);

@@ -14,33 +14,33 @@ class QToolButton;
 
 namespace swage::console {
 
-/// The form of a lesson's parameters, made from the plugins' tables: one line per number with its unit, its limits and a way back
-/// to the lesson's own value. Of what may change while a lesson runs: a change goes out at once; what is refused is said below
-/// and put back. Or of all, for a lesson that is to be based on this one.
+/// The form of a lesson's parameters, made from the plugins' tables: one line per number with its unit, its limits and a reset
+/// to the lesson's value. Either of LIVE parameters during an attempt: each change is sent at once, and a rejected one is reported below
+/// and reverted. Or of all parameters, for a lesson that is derived from this one.
 class LiveForm : public QFrame {
   Q_OBJECT
  public:
   enum class Of { kRunning, kVariant };
   explicit LiveForm(QWidget* parent = nullptr, Of of = Of::kRunning);
   void set_params(const QVector<LiveParam>& params);
-  /// While false the fields are shown but cannot be changed: there is nothing to change before the start.
+  /// False: the fields are shown but cannot be edited, as before the start.
   void set_running(bool running);
-  /// After a change: `problem` "" when it was taken over.
+  /// The answer to a change: `problem` is "" when it was accepted.
   void answer(const QString& problem);
   int count() const { return static_cast<int>(fields_.size()); }
-  /// What differs from the lesson: "needle.arc" and JSON.
+  /// The differences from the lesson: "needle.arc" and JSON.
   QVector<std::pair<std::string, std::string>> changes() const;
-  /// The same with SI values, for another form of the same lesson.
+  /// The same differences with SI values, for another form of the same lesson.
   struct Change {
     std::string instance, id;
     std::array<double, 4> value;
   };
   QVector<Change> changed_values() const;
-  /// Puts values in as if they had been typed; those of parameters that this form has not are left out. Returns how many it took.
+  /// Sets values as if they had been typed; parameters that this form lacks are skipped. Returns the number of values set.
   int preset(const QVector<Change>& values);
-  /// What the value of this id is called; "" where the form has none, or two parts have one.
+  /// The title of the parameter with this id; "" where the form has none, or several.
   QString title_of(const std::string& id) const;
-  /// Shows the lines in whose name, or whose part's name, the text is; all for "". Returns whether there are any.
+  /// Shows only the lines whose title, or whose part's name, contains the text; all for "". Returns whether any match.
   bool find(const QString& text);
 
  Q_SIGNALS:
@@ -53,7 +53,7 @@ class LiveForm : public QFrame {
     QVector<QWidget*> editors;
     QToolButton* back = nullptr;
     QLabel *label = nullptr, *heading = nullptr;
-    bool means = true;  // under what is chosen where it follows a choice
+    bool means = true;  // whether it has a meaning under the choice that it follows
   };
   void add_field(const LiveParam& param, QLabel* heading, QGridLayout* grid);
   QWidget* make_editor(int field, int component);

@@ -73,7 +73,7 @@ void MessageStrip::accept() {
   Q_EMIT answered(m, true);
 }
 
-// words are read or still stand there; a lesson can be refused
+// Declines a lesson. A text message can only be marked as read, at any time.
 void MessageStrip::decline() {
   if (messages_.empty() || messages_.front().kind != Kind::kLesson) return;
   const record::StationMessage m = messages_.front();

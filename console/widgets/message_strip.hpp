@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What an instructor says to this station: a line below the pages, over nothing of the work, until it is answered by a key or button.
+// An instructor's message to this station: a line below the pages, beside the picture, until it is answered by key or button.
 #pragma once
 
 #include <QFrame>
@@ -16,15 +16,15 @@ class MessageStrip : public QFrame {
   Q_OBJECT
  public:
   explicit MessageStrip(QWidget* parent = nullptr);
-  /// Oldest first; the first is shown.
+  /// Oldest first; the first one is shown.
   void set_messages(const std::vector<record::StationMessage>& messages);
-  /// A lesson is taken between two attempts.
+  /// While an attempt runs a lesson cannot be accepted.
   void set_running(bool running);
-  /// As it stands in the trainee's view, with the key that answers; "" when nothing is said.
+  /// The text for the trainee's view, with the answering key; "" without a message.
   QString words() const;
 
  public Q_SLOTS:
-  /// Read, or the lesson taken.
+  /// Marks the message as read, or accepts the lesson.
   void accept();
   void decline();
 

@@ -45,7 +45,7 @@ double MetricChart::nice_step(double low, double high, int n) {
 
 void MetricChart::set_series(const MetricSeries& series) {
   series_ = series;
-  // from zero, as all metrics are amounts; negative ones widen it
+  // the axis includes zero, as most metrics are amounts; negative values extend it
   double low = 0, high = 0;
   for (const MetricPoint& p : series_.points) {
     low = std::min(low, p.value);
@@ -89,7 +89,7 @@ void MetricChart::paint_axes(QPainter& p) const {
     p.drawText(QRectF(0, y - 9, a.left() - 8, 18), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(std::abs(v) < 1e-9 * step_ ? 0 : v, 'g', 4));
   }
-  // number every attempt as long as there is room, and part the days
+  // number every attempt if there is room, and separate the days
   const auto n = static_cast<int>(series_.points.size());
   const int every = std::max(1, static_cast<int>(std::ceil(n * 26.0 / std::max(a.width(), 1.0))));
   for (int i = 0; i < n; ++i) {
@@ -106,7 +106,7 @@ void MetricChart::paint_axes(QPainter& p) const {
   p.drawText(QRectF(a.left(), height() - 15, a.width(), 15), Qt::AlignRight | Qt::AlignBottom, tr("attempt"));
 }
 
-// what the lesson asks for: a dashed line with its value, on the side where the words are read, or a band between two
+// the lesson's target: a dashed line with its value, labelled on the side of the allowed values, or a band between two limits
 void MetricChart::paint_target(QPainter& p) const {
   const MetricTarget& target = series_.target;
   if (!target.high && !target.low) return;
@@ -130,7 +130,7 @@ void MetricChart::paint_target(QPainter& p) const {
              Qt::AlignRight | Qt::AlignVCenter, words.arg(series_.unit).trimmed());
 }
 
-// hatched, so that it is told from the lesson's own band without colour; its words stand at the left, the target's at the right
+// hatched, to be distinct from the lesson's own band without colour; labelled at the left, the target at the right
 void MetricChart::paint_experts(QPainter& p) const {
   if (!series_.experts) return;
   const QRectF a = area();
@@ -143,7 +143,7 @@ void MetricChart::paint_experts(QPainter& p) const {
   p.drawLine(band.topLeft(), band.topRight());
   p.drawLine(band.bottomLeft(), band.bottomRight());
   p.setPen(theme_["plot_2"]);
-  // above the band, or below it where the line at the top of the chart would run through the words
+  // above the band, or below it where the top line of the chart would cross the label
   const double y_text = band.top() - 17 >= a.top() ? band.top() - 17 : band.bottom() + 1;
   p.drawText(QRectF(a.left() + 4, y_text, a.width(), 16), Qt::AlignLeft | Qt::AlignVCenter, series_.who);
 }

@@ -8,7 +8,7 @@
 
 namespace swage::console {
 
-/// One metric over the attempts: circle Practice, square Test, filled when met; an arrow says which way is better.
+/// One metric over the attempts: circle Practice, square Test, filled if passed; an arrow shows the better direction.
 class MetricChart : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class MetricChart : public QWidget {
   QSize sizeHint() const override { return {600, 260}; }
   QSize minimumSizeHint() const override { return {260, 160}; }
 
-  /// Steps of 1, 2 or 5 times a power of ten that cover [low, high] with about `n` of them.
+  /// The step, 1, 2 or 5 times a power of ten, that divides [low, high] into about `n` parts.
   static double nice_step(double low, double high, int n);
 
  protected:

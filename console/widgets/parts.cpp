@@ -2,8 +2,12 @@
 #include "console/widgets/parts.hpp"
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QPainter>
 #include <QStyle>
+#include <QStyleOptionButton>
+#include <QStylePainter>
+#include <algorithm>
 
 namespace swage::console {
 
@@ -39,15 +43,52 @@ Card make_card(const QString& heading, QWidget* parent) {
 
 QString key_text(const QString& shortcut) { return QKeySequence(shortcut).toString(QKeySequence::NativeText); }
 
-QPushButton* make_button(const QString& text, const QString& shortcut_id, const QString& name, QWidget* parent) {
+namespace {
+
+const QString kBesideWords = QStringLiteral("   ");  // between words and key
+
+template <class Button>
+Button* make_button_as(const QString& text, const QString& shortcut_id, const QString& name, QWidget* parent) {
   const QString shortcut = key_text(shortcut_id);
-  auto* button = new QPushButton(shortcut.isEmpty() ? text : text + QStringLiteral("   ") + shortcut, parent);
+  auto* button = new Button(shortcut.isEmpty() ? text : text + kBesideWords + shortcut, parent);
   button->setObjectName(name);
   button->setAccessibleName(text);
-  // by keys it can be reached; a click leaves the keyboard to the instrument
+  // focus by keys only: a click leaves the keyboard focus to the instrument
   button->setFocusPolicy(Qt::TabFocus);
   if (!shortcut.isEmpty()) button->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut));
   return button;
+}
+
+}  // namespace
+
+QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent) {
+  return make_button_as<QPushButton>(text, shortcut, name, parent);
+}
+
+KeyedButton* make_keyed_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent) {
+  auto* button = make_button_as<KeyedButton>(text, shortcut, name, parent);
+  button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // it may get smaller than its text with the key
+  return button;
+}
+
+QString KeyedButton::words() const { return text().section(kBesideWords, 0, 0).section(QLatin1Char('\n'), 0, 0); }
+
+QSize KeyedButton::minimumSizeHint() const {
+  const QSize whole = sizeHint();
+  const auto width = [this](const QString& line) { return fontMetrics().horizontalAdvance(line); };
+  int wanted = 0;
+  for (const QString& line : text().split(QLatin1Char('\n'))) wanted = std::max(wanted, width(line));
+  return {whole.width() - wanted + width(words()), whole.height()};
+}
+
+void KeyedButton::paintEvent(QPaintEvent*) {
+  QStylePainter painter(this);
+  QStyleOptionButton option;
+  initStyleOption(&option);
+  const int room = style()->subElementRect(QStyle::SE_PushButtonContents, &option, this).width();
+  for (const QString& line : option.text.split(QLatin1Char('\n')))
+    if (fontMetrics().horizontalAdvance(line) > room) option.text = words();
+  painter.drawControl(QStyle::CE_PushButton, option);
 }
 
 void give_key(QPushButton* button, const QString& shortcut) {
@@ -66,13 +107,31 @@ QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent
   return line;
 }
 
+QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent) {
+  constexpr int kRow_px = 28;
+  auto* table = new QTableView(parent);
+  table->setObjectName(name);
+  table->setAccessibleName(title);
+  table->setModel(model);
+  table->setShowGrid(false);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(kRow_px);
+  table->horizontalHeader()->setHighlightSections(false);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  return table;
+}
+
 QScrollArea* make_scroll(QWidget* parent) {
   auto* scroll = new QScrollArea(parent);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  // on the ground of the page
+  // transparent, on the page's background
   scroll->setProperty("bare", true);
   return scroll;
 }
@@ -125,7 +184,7 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
   const int line = option.fontMetrics.height();
   const QString title = index.data().toString();
-  // titles of a series differ in their last words: one that is too long takes the line of the summary as well
+  // titles of a series differ in their last words: a long title also uses the line of the summary
   if (!summary.isEmpty() && QFontMetrics(bold).horizontalAdvance(title) > r.width()) {
     painter->drawText(r.adjusted(0, -2, 0, 2), Qt::AlignVCenter | Qt::TextWordWrap, title);
     painter->restore();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Small building blocks that look alike everywhere.
+// Small widgets with a common appearance.
 #pragma once
 
 #include <QFrame>
@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "console/cues/cue_theme.hpp"
@@ -23,23 +24,39 @@ struct Card {
 Card make_card(const QString& heading, QWidget* parent);
 QLabel* make_heading(const QString& text, QWidget* parent);
 QLabel* make_muted(const QString& text, QWidget* parent);
-/// Rich text: a heading and a list below it; "" without lines.
+/// Rich text: a heading and a list; "" without lines.
 QString list_text(const QString& heading, const QStringList& lines);
-/// A key as people call it in their language: "Ctrl+N", "Strg+N".
+/// The name of a key in the language of the window: "Ctrl+N", "Strg+N".
 QString key_text(const QString& shortcut);
-/// A button that tells its shortcut, also to screen readers.
+/// A button that shows its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 
-/// Gives a button a shortcut, and its tip (its words where it has none) the name of the key. Main thread.
+/// A button that shows its key behind or below its text where there is room for it; its tooltip always has the key.
+class KeyedButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+  QString words() const;  // without the key
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+/// As make_button().
+KeyedButton* make_keyed_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
+/// Gives a button a shortcut, and appends the key's name to its tooltip (or its text if it has none). Main thread.
 void give_key(QPushButton* button, const QString& shortcut);
 
-/// A line to type words of a search into, with a button that clears it.
+/// A search field with a clear button.
 QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent);
 
-/// A frameless area that scrolls up and down where its content is taller than the room for it.
+/// A read-only table in which one whole row is selected at a time. Tab leaves it, Enter activates a row.
+QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent);
+
+/// A frameless area that scrolls vertically where its content is taller than the area.
 QScrollArea* make_scroll(QWidget* parent);
 
-/// One line that ends in an ellipsis where it does not fit, and then says the whole as its tip.
+/// A line of text, elided where it does not fit, with the whole text as its tooltip.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
@@ -49,7 +66,7 @@ class ElidedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The signs of one cue fact, drawn as over the scene.
+/// The signs of one cue fact, drawn as in the picture.
 class CueBadge : public QWidget {
  public:
   explicit CueBadge(QWidget* parent = nullptr);
@@ -63,7 +80,7 @@ class CueBadge : public QWidget {
   CueStyle style_;
 };
 
-/// Title in bold, summary below in grey, for lists.
+/// Draws the title in bold, the summary below in grey, for lists.
 class TwoLineDelegate : public QStyledItemDelegate {
  public:
   TwoLineDelegate(int summary_role, QObject* parent) : QStyledItemDelegate(parent), role_(summary_role) {}

@@ -17,8 +17,8 @@
 namespace swage::console {
 namespace {
 
-constexpr int kPng_scale = 2;      // sharp on paper and on a screen of 200 %
-constexpr int kPdf_dpi = 96;       // a point of the screen is one of the page
+constexpr int kPng_scale = 2;      // sharp on paper and on a screen scaled to 200 %
+constexpr int kPdf_dpi = 96;       // a pixel of the screen is one of the page
 
 void draw(QWidget& plot, QPaintDevice& to, double scale) {
   QPainter p(&to);
@@ -26,7 +26,7 @@ void draw(QWidget& plot, QPaintDevice& to, double scale) {
   plot.render(&p, {}, {}, QWidget::DrawChildren);
 }
 
-/// A frame around a plot that has the keyboard.
+/// A frame around the plot with the keyboard focus.
 class PlotFocus : public QObject {
  public:
   explicit PlotFocus(QWidget* plot) : QObject(plot), frame_(new QFocusFrame(plot)) { plot->installEventFilter(this); }
@@ -63,7 +63,7 @@ QString save_plot(QWidget& plot, const QString& file) {
     svg.setTitle(plot.accessibleName());
     svg.setDescription(plot.accessibleDescription());
     QPainter p(&svg);
-    // a size in whole millimetres is a fraction of a pixel more
+    // a size in whole millimetres exceeds the plot by a fraction of a pixel
     p.fillRect(plot.rect().adjusted(0, 0, 1, 1), plot.palette().color(QPalette::Base));
     plot.render(&p, {}, {}, QWidget::DrawChildren);
   } else {
@@ -81,7 +81,7 @@ void offer_picture(QWidget* plot, const QString& name) {
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+P")));
   action->setShortcutContext(Qt::WidgetShortcut);
   plot->addAction(action);
-  // the key needs the keyboard's focus there, and a person needs to see it
+  // the shortcut needs the keyboard focus on the plot, and the focus must be visible
   if (plot->focusPolicy() == Qt::NoFocus) {
     plot->setFocusPolicy(Qt::StrongFocus);
     new PlotFocus(plot);

@@ -6,9 +6,9 @@
 
 namespace swage::console {
 
-/// Writes what a plot shows: .png in twice its size on the screen, .svg and .pdf as lines and letters. "" or what went wrong.
+/// Writes a plot: .png at twice its screen size, .svg and .pdf as vector graphics. Returns "" or the error.
 QString save_plot(QWidget& plot, const QString& file);
-/// Gives a plot "Save picture…" in its context menu and as Ctrl+Shift+P while it has the keyboard. `name`: of the file, without ending.
+/// Adds "Save picture…" to a plot's context menu, with Ctrl+Shift+P while it has the focus. `name`: of the file, without extension.
 void offer_picture(QWidget* plot, const QString& name);
 
 }  // namespace swage::console

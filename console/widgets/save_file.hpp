@@ -6,8 +6,8 @@
 
 namespace swage::console {
 
-/// Asks where to save a file, `name` first, with filters as QFileDialog has them; "" when it is left. A name that is typed without an
-/// ending gets that of the chosen filter. Main thread; waits for the person.
+/// Asks where to save a file, `name` first, with filters in QFileDialog's form; "" when cancelled. A name typed without an
+/// extension gets that of the chosen filter. Main thread; waits for the person.
 QString ask_save(QWidget* parent, const QString& title, const QString& name, const QString& filters);
 
 }  // namespace swage::console

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kTimelineLeft_px = 56, kRight_px = 12, kEvents_px = 30, kAxis_px = 20, kGap_px = 16;
 constexpr double kFine_s = 1e-3, kStep_s = 1e-2, kCoarse_s = 1;
-constexpr double kLabel_px = 14;  // height of a number at an axis
-constexpr double kNear_px = 5;    // so near the pointer means an event
+constexpr double kLabel_px = 14;  // height of a number on an axis
+constexpr double kNear_px = 5;    // distance of the pointer within which it selects an event
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void Timeline::set_other(const Review* review, const record::Recording* recordin
   update();
 }
 
-// the same signal of the same instance, else of any
+// the other attempt's trace of the same signal: of the same instance, else of any
 const Trace* Timeline::in_other(const Trace& trace) const {
   if (!other_) return nullptr;
   const judge::Name& wanted = recording_->info.script.signals[trace.index];
@@ -67,7 +67,7 @@ const Trace* Timeline::in_other(const Trace& trace) const {
   return found;
 }
 
-// with an axis that holds both
+// the trace with an axis that covers both attempts
 Trace Timeline::common(const Trace& trace) const {
   Trace out = trace;
   const Trace* other = in_other(trace);
@@ -131,7 +131,7 @@ double Timeline::x_of(double time_s) const {
 
 void Timeline::go(double time_s) {
   if (!review_) return;
-  // whole steps: what is shown was recorded
+  // rounded to whole steps: only recorded states are shown
   set_cursor(std::round(time_s / review_->dt_s) * review_->dt_s);
   Q_EMIT moved(cursor_s_);
 }
@@ -221,7 +221,7 @@ void Timeline::paint_axis(QPainter& p) const {
   }
 }
 
-// a flag each; those of a person are diamonds. Words only where there is room for them.
+// a flag for each event; a diamond for a person's note. Labels only where there is room.
 void Timeline::paint_moments(QPainter& p) const {
   const QFontMetricsF metrics(p.font());
   double free_from = 0;
@@ -265,7 +265,7 @@ void Timeline::paint_scale(QPainter& p, const Trace& t, const QRectF& a) const {
   const auto y = [&](double v) {
     return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
   };
-  // ends first: a number that would run into another is left out
+  // both ends first: a number that would overlap another is left out
   const bool through_zero = t.low < 0 && t.high > 0;
   double told_px[3];
   int told = 0;
@@ -282,13 +282,13 @@ void Timeline::paint_scale(QPainter& p, const Trace& t, const QRectF& a) const {
   }
 }
 
-// no peak is lost however long the attempt
+// minimum and maximum per column, so that no peak is lost in a long attempt
 const Timeline::Spans& Timeline::spans(const Trace& t, const record::Recording& recording, double shift_s, size_t columns) const {
   const auto known = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& d) {
     return d.recording == &recording && d.index == t.index && d.columns == columns && d.shift_s == shift_s;
   });
   if (known != drawn_.end()) return known->spans;
-  std::erase_if(drawn_, [&](const Drawn& d) { return d.columns != columns; });  // the window has another size now
+  std::erase_if(drawn_, [&](const Drawn& d) { return d.columns != columns; });  // the window was resized
   const size_t n = recording.step.size(), width = recording.info.script.signals.size();
   Spans out(columns, {INFINITY, -INFINITY});
   const double per_s = static_cast<double>(columns) / review_->length_s;
@@ -321,6 +321,39 @@ void Timeline::paint_line(QPainter& p, const Trace& t, const record::Recording& 
   p.drawPolyline(line);
 }
 
+void Timeline::paint_loop(QPainter& p) const {
+  if (loop_to_s_ <= loop_from_s_) return;
+  const QRectF loop(QPointF(x_of(loop_from_s_), 16), QPointF(x_of(loop_to_s_), area().bottom()));
+  p.fillRect(loop, theme_["raised"]);
+  p.setPen(QPen(theme_["accent"], 1, Qt::DashLine));
+  p.drawLine(loop.topLeft(), loop.bottomLeft());
+  p.drawLine(loop.topRight(), loop.bottomRight());
+}
+
+// the n-th of those that are shown: scale, line, the other attempt's line, name and value at the cursor
+void Timeline::paint_trace(QPainter& p, int i) const {
+  const char* const colours[] = {"plot", "plot_2"};
+  const Trace t = common(review_->traces[shown_[i]]);
+  const QRectF a = plot(i);
+  paint_scale(p, t, a);
+  if (const Trace* other = in_other(t)) {
+    Trace same = *other;
+    same.low = t.low, same.high = t.high;
+    paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
+  }
+  paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+  const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
+  double now = value_at(t, *recording_, step);
+  if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
+  p.setPen(theme_["text"]);
+  const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
+  p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
+             name);
+  p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
+             std::isfinite(now) && has_cursor_ ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
+                                : QString());
+}
+
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
@@ -332,36 +365,9 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Nothing was recorded of this attempt."));
     return;
   }
-  if (loop_to_s_ > loop_from_s_) {
-    const QRectF loop(QPointF(x_of(loop_from_s_), 16), QPointF(x_of(loop_to_s_), area().bottom()));
-    p.fillRect(loop, theme_["raised"]);
-    p.setPen(QPen(theme_["accent"], 1, Qt::DashLine));
-    p.drawLine(loop.topLeft(), loop.bottomLeft());
-    p.drawLine(loop.topRight(), loop.bottomRight());
-  }
+  paint_loop(p);
   paint_axis(p);
-  const char* const colours[] = {"plot", "plot_2"};
-  for (int i = 0; i < shown_.size(); ++i) {
-    const Trace t = common(review_->traces[shown_[i]]);
-    const QRectF a = plot(i);
-    paint_scale(p, t, a);
-    if (const Trace* other = in_other(t)) {
-      Trace same = *other;
-      same.low = t.low, same.high = t.high;
-      paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
-    }
-    paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
-    const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
-    double now = value_at(t, *recording_, step);
-    if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
-    p.setPen(theme_["text"]);
-    const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
-    p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
-               name);
-    p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
-               std::isfinite(now) && has_cursor_ ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
-                                  : QString());
-  }
+  for (int i = 0; i < shown_.size(); ++i) paint_trace(p, i);
   paint_moments(p);
   paint_other_moments(p);
   p.setPen(QPen(theme_["text"], 1.5));

@@ -11,7 +11,7 @@
 
 namespace swage::console {
 
-/// Traces of one attempt below each other on one time axis, with what happened as marks above it and one cursor through all.
+/// Traces of one attempt below each other on a common time axis, with event marks above and one cursor through all.
 /// Click or drag sets the cursor; arrows step 10 ms, with Shift 1 ms, with Ctrl 1 s; Home and End; , and . go from event to
 /// event.
 class Timeline : public QWidget {
@@ -19,27 +19,27 @@ class Timeline : public QWidget {
  public:
   explicit Timeline(QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme);
-  /// Both outlive their use here; nullptr clears.
+  /// Both outlive their use here; nullptr clears the timeline.
   void set_review(const Review* review, const record::Recording* recording);
-  /// Another attempt on the same clock: what happened at t in the first is beside t + `later_s` of the other. Its traces are dashed,
+  /// Another attempt on a shifted clock: time t of the first corresponds to t + `later_s` of the other. Its traces are dashed,
   /// its events hollow. Both outlive their use here; nullptr: none.
   void set_other(const Review* review, const record::Recording* recording, double later_s);
-  /// Where a time of the other attempt lies, in pixels.
+  /// Position of a time of the other attempt, px.
   double x_of_other(double time_s) const { return x_of(time_s - later_s_); }
   /// Indices into Review::traces, top to bottom.
   void set_shown(const QVector<int>& traces);
   void set_technical(bool shown);
-  void set_cursor(double time_s);  // moves the line, tells nobody
+  void set_cursor(double time_s);  // moves the cursor without emitting a signal
   double cursor() const { return cursor_s_; }
-  /// On paper nothing moves: neither the line nor values at it are drawn.
+  /// For print: neither the cursor nor values at it are drawn.
   void hide_cursor() { has_cursor_ = false; }
-  /// What is played again and again, s; an empty span: nothing.
+  /// The span that is played in a loop, s; an empty span: none.
   void set_loop(double from_s, double to_s);
-  double x_of(double time_s) const;  // pixels
+  double x_of(double time_s) const;  // px
 
-  QSize sizeHint() const override { return {800, 220}; }  // a window of 770 lines has room for it and a sentence above
+  QSize sizeHint() const override { return {800, 220}; }  // fits a window of 770 lines with a line of text above
   QSize minimumSizeHint() const override { return {300, 160}; }
-  /// The cursor goes to the next event, or for -1 to the one before.
+  /// Moves the cursor to the next event, or with -1 to the previous one.
   void go_to_moment(int direction);
 
  Q_SIGNALS:
@@ -57,12 +57,14 @@ class Timeline : public QWidget {
   QRectF plot(int i) const;
   void go(double time_s);
   void paint_axis(QPainter& p) const;
+  void paint_loop(QPainter& p) const;
+  void paint_trace(QPainter& p, int i) const;
   void paint_moments(QPainter& p) const;
   void paint_scale(QPainter& p, const Trace& trace, const QRectF& area) const;
   void paint_line(QPainter& p, const Trace& trace, const record::Recording& recording, double shift_s, const QRectF& area,
                   const QPen& pen) const;
   void paint_other_moments(QPainter& p) const;
-  /// Lowest and highest of each column of pixels, as recorded.
+  /// Recorded minimum and maximum of each column of pixels.
   using Spans = std::vector<std::pair<float, float>>;
   const Spans& spans(const Trace& trace, const record::Recording& recording, double shift_s, size_t columns) const;
   const Trace* in_other(const Trace& trace) const;
@@ -81,7 +83,7 @@ class Timeline : public QWidget {
     double shift_s;
     Spans spans;
   };
-  mutable std::vector<Drawn> drawn_;  // while only the cursor moves nothing is read again
+  mutable std::vector<Drawn> drawn_;  // cache: nothing is read again while only the cursor moves
   QVector<int> shown_;
   UiTheme theme_;
   bool has_cursor_ = true;

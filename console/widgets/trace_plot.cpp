@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace swage::console {
+namespace {
+
+constexpr double kTraceLeft_px = 30, kTraceTop_px = 20, kTraceBottom_px = 16;  // room for numbers, title and times
+
+}  // namespace
 
 TracePlot::TracePlot(const QString& title, const QString& unit, QWidget* parent)
     : QWidget(parent), title_(title), unit_(unit) {
@@ -79,13 +84,18 @@ void TracePlot::paintEvent(QPaintEvent*) {
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.85);
   p.setFont(small);
-  const double margin = 30, top = 20, bottom = 16;
-  const QRectF area(margin, top, width() - margin - 2, height() - top - bottom);
-  const auto y = [&](double v) {
-    return area.bottom() - area.height() * std::clamp((v - low_) / (high_ - low_), 0.0, 1.0);
-  };
+  const QRectF area(kTraceLeft_px, kTraceTop_px, width() - kTraceLeft_px - 2, height() - kTraceTop_px - kTraceBottom_px);
+  paint_axes(p, area);
+  if (!samples_.empty()) paint_samples(p, area);
+}
 
-  // frame, grid, numbers
+double TracePlot::y_of(double v, const QRectF& area) const {
+  return area.bottom() - area.height() * std::clamp((v - low_) / (high_ - low_), 0.0, 1.0);
+}
+
+// title and unit, grid with its numbers, the limit
+void TracePlot::paint_axes(QPainter& p, const QRectF& area) const {
+  const auto line_at = [&](double v) { p.drawLine(QPointF(area.left(), y_of(v, area)), QPointF(area.right(), y_of(v, area))); };
   p.setPen(theme_["text"]);
   p.drawText(QRectF(0, 0, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, title_);
   p.setPen(theme_["muted"]);
@@ -93,9 +103,9 @@ void TracePlot::paintEvent(QPaintEvent*) {
   for (int i = 0; i <= 2; ++i) {
     const double v = low_ + (high_ - low_) * i / 2;
     p.setPen(QPen(theme_["grid"], 1));
-    p.drawLine(QPointF(area.left(), y(v)), QPointF(area.right(), y(v)));
+    line_at(v);
     p.setPen(theme_["muted"]);
-    p.drawText(QRectF(0, y(v) - 8, margin - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
+    p.drawText(QRectF(0, y_of(v, area) - 8, kTraceLeft_px - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }
   p.drawText(QRectF(area.left(), area.bottom() + 1, 60, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("−10 s"));
@@ -103,11 +113,12 @@ void TracePlot::paintEvent(QPaintEvent*) {
              tr("now"));
   if (has_limit_) {
     p.setPen(QPen(theme_["bad"], 1, Qt::DashLine));
-    p.drawLine(QPointF(area.left(), y(limit_)), QPointF(area.right(), y(limit_)));
+    line_at(limit_);
   }
-  if (samples_.empty()) return;
+}
 
-  // one stroke per column from lowest to highest, joined to its neighbour
+// one stroke per column from lowest to highest, joined to its neighbour
+void TracePlot::paint_samples(QPainter& p, const QRectF& area) const {
   p.setRenderHint(QPainter::Antialiasing);
   const double to = std::max(samples_.back().t, kWindow_s), from = to - kWindow_s;
   const std::vector<Column> cols = columns(samples_, from, to, static_cast<int>(area.width()));
@@ -126,8 +137,8 @@ void TracePlot::paintEvent(QPaintEvent*) {
     }
     empty = 0;
     const double x = area.left() + static_cast<double>(i) + 0.5;
-    line << QPointF(x, y(cols[i].low));
-    if (cols[i].high > cols[i].low) line << QPointF(x, y(cols[i].high));
+    line << QPointF(x, y_of(cols[i].low, area));
+    if (cols[i].high > cols[i].low) line << QPointF(x, y_of(cols[i].high, area));
     if (cols[i].high > high_) p.fillRect(QRectF(x - 1, area.top() - 3, 2, 3), theme_["bad"]);
   }
   flush();

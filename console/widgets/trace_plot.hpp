@@ -41,6 +41,9 @@ class TracePlot : public QWidget {
 
  private:
   void describe();
+  double y_of(double value, const QRectF& area) const;
+  void paint_axes(QPainter& p, const QRectF& area) const;
+  void paint_samples(QPainter& p, const QRectF& area) const;
   QString title_, unit_;
   UiTheme theme_;
   const char* colour_role_ = "plot";

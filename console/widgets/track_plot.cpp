@@ -11,9 +11,9 @@
 namespace swage::console {
 namespace {
 
-constexpr double kRoom = 1.25;  // around what is shown
-constexpr double kCosine_px = 130, kTrackLeft_px = 30;  // the lower plot with its words, and where its axis stands
-constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
+constexpr double kRoom = 1.25;  // factor on the shown extent
+constexpr double kCosine_px = 130, kTrackLeft_px = 30;  // height of the lower plot with its labels; left margin of its axis
+constexpr double kLeastReach_mm = 0.03;  // smallest half extent: a perfect entry is a point
 
 }  // namespace
 
@@ -63,8 +63,8 @@ void TrackPlot::paint_circles(QPainter& p, const QPointF& middle, double scale) 
   }
 }
 
-// What the needle's circle has swept is torn: all of it pale, up to the cursor strong, and at the cursor the needle itself.
-// In opaque colours, as what is swept twice is torn once.
+// The torn area is that swept by the needle's circle: all of it pale, up to the cursor strong, and at the cursor the needle itself.
+// Colours are opaque, so that an area swept twice is not darker.
 void TrackPlot::paint_torn(QPainter& p, const QPointF& middle, double scale) const {
   const double r = scale * track_->radius_mm;
   if (r <= 0) return;
@@ -122,7 +122,7 @@ void TrackPlot::paint_track(QPainter& p, const QPointF& middle, double scale) co
   p.drawLine(middle + QPointF(0, -5), middle + QPointF(0, 5));
 }
 
-// the thesis's axis: 0 is square to the surface, 1 along it
+// the thesis's axis: 0 is perpendicular to the surface, 1 along it
 void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
   const double from = track_->cosine.first().first().x(), to = track_->cosine.last().last().x();
   const double span = std::max(to - from, 1e-3);
@@ -155,7 +155,7 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
   }
 }
 
-// Words at the top of a plot, the second ones below the first, wrapped within the width; returns where they end.
+// Two texts at the top of a plot, one below the other, wrapped within the width; returns their lower end.
 double TrackPlot::paint_words(QPainter& p, const QRectF& room, const QString& first, const QString& second) const {
   QRectF used;
   p.setPen(theme_["text"]);
@@ -173,7 +173,7 @@ void TrackPlot::paintEvent(QPaintEvent*) {
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("The needle did not go in."));
     return;
   }
-  // beside each other where there is room, else one above the other
+  // side by side if there is room, else one above the other
   const bool both = !track_->cosine.isEmpty(), beside = both && width() > 1.4 * height();
   const double right = beside ? 0.5 * width() : width(), bottom = height() - (both && !beside ? kCosine_px : 0);
   const QString wound = track_->radius_mm > 0 ? tr("wound %1 %, torn: red; 100 %: green").arg(100 * track_->wound, 0, 'f', 0)

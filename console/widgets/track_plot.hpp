@@ -8,9 +8,9 @@
 
 namespace swage::console {
 
-/// Entry penetration: the torn region and the track of the needle in the plane of the surface, its circle at the first puncture,
-/// and the circle that the wound's edge reached; below it the cosine of the penetration angle over time. What is up to the cursor is strong, the rest
-/// pale.
+/// Entry penetration: the torn region and the track of the needle in the plane of the surface, the needle's circle at the first puncture,
+/// and the circle that the wound's edge reached; below it the cosine of the penetration angle over time. Up to the cursor strong,
+/// after it pale.
 class TrackPlot : public QWidget {
   Q_OBJECT
  public:

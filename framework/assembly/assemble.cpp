@@ -224,7 +224,7 @@ void Assembler::add_objects() {
     if (slot.solver_2 == nullptr)
       slot.solver = table<swage_solver>(*slot.instance, SWAGE_EXT_SOLVER, use, false);
     slot.surface = table<swage_surface>(*slot.instance, SWAGE_EXT_SURFACE, use, false);
-    slot.dents = table<swage_dents>(*slot.instance, SWAGE_EXT_DENTS, use, false);
+    slot.visuals = table<swage_visuals>(*slot.instance, SWAGE_EXT_VISUAL, use, false);
     bool moves_itself = false;
     for (uint32_t i = 0; i < slot.body.count; ++i) {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + i];
@@ -256,8 +256,7 @@ void Assembler::add_couplings() {
     slot.event = builder->event;
     slot.coupling = table<swage_coupling>(*slot.instance, SWAGE_EXT_COUPLING, use);
     slot.ties = table<swage_ties>(*slot.instance, SWAGE_EXT_TIES, use, false);
-    slot.tears = table<swage_tears>(*slot.instance, SWAGE_EXT_TEARS, use, false);
-    slot.wounds = table<swage_wounds>(*slot.instance, SWAGE_EXT_WOUNDS, use, false);
+    slot.visuals = table<swage_visuals>(*slot.instance, SWAGE_EXT_VISUAL, use, false);
   }
 }
 

@@ -36,6 +36,7 @@ class LessonParser {
     out_.title = top.text("title", true);
     out_.summary = top.text("summary", false);
     out_.goal = top.text("goal", false);
+    if (const Json* reset = top.find("reset")) read_reset(*reset, top.at("reset"));
     out_.seed = top.whole("seed", 0);
     out_.rate_hz = top.quantity("rate_hz", "Hz", 1000, 200, 10000);
     out_.scene_length = top.quantity("scene_length", "m", 1e-3, 1e-6, 10);
@@ -67,6 +68,18 @@ class LessonParser {
     teller_.error(top.at("format"),
                   say::kOtherFormat(format, kFormat));
     return false;
+  }
+
+  /// Reads the words of the reset button. A longer label would widen the row of buttons below the picture.
+  void read_reset(const Json& json, const std::string& pointer) {
+    constexpr int kLongest = 24;  // characters
+    ObjectReader reader(json, pointer, "the reset of a lesson", teller_);
+    out_.reset_label = reader.text("label", true);
+    out_.reset_tip = reader.text("tip", false);
+    const std::string& label = out_.reset_label;
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // a character of UTF-8
+    if (std::count_if(label.begin(), label.end(), begins) > kLongest) teller_.error(reader.at("label"), say::kLongLabel(kLongest));
+    reader.finish();
   }
 
   /// Reads a medium, and quantities that differ from its defaults.

@@ -66,6 +66,7 @@ struct LessonFile {
   std::string text;  // the assembled text: as read, byte for byte, unless values were set (lesson_text.hpp)
   std::string id, title, summary;
   std::string goal;  // what the trainee learns
+  std::string reset_label, reset_tip;  // of the button that resets the work; "": the program's own
   uint64_t seed = 0;
   double rate_hz = 1000;
   double scene_length = 1e-3;  // m

@@ -67,6 +67,7 @@ inline constexpr auto kUnknownKey = "\"{}\" is not known in {}.{} It has: {}."_s
 inline constexpr auto kMoreKeys = "And {} more keys are not known."_sentence;
 
 // keys of a lesson
+inline constexpr auto kLongLabel = "The words of a button have at most {} characters."_sentence;
 inline constexpr auto kOtherFormat = "\"{}\" cannot be read; this program reads \"{}\"."_sentence;
 inline constexpr auto kNoChannel = "{} is no channel of cues; there is colour, shape, sound, force."_sentence;
 inline constexpr auto kNoRequirements = "\"requires\" is an object { \"plugin.id\": \"^1\", ... }."_sentence;

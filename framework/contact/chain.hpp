@@ -47,6 +47,10 @@ class ChainTree {
   /// False where the chain is cut, and for a piece without length.
   bool there(uint32_t i) const { return i < segments_ && piece_[i].radius > 0; }
   double radius(uint32_t i) const { return piece_[i].radius; }
+  const Vec3& vertex(uint32_t i) const { return i < segments_ ? piece_[i].p0 : piece_[i - 1].p1; }
+  const Vec3& velocity(uint32_t i) const { return i < segments_ ? piece_[i].v0 : piece_[i - 1].v1; }
+  /// The piece to which a vertex belongs: that which begins there, or the one before; kNone where both are cut out.
+  uint32_t piece_at(uint32_t i) const { return there(i) ? i : i > 0 && there(i - 1) ? i - 1 : scene::kNone; }
   const Box& all() const { return node_[0].box; }
   /// The largest displacement of a vertex in the step relative to that frame, and the displacement of the frame, m.
   double moves() const { return moves_; }

@@ -56,13 +56,18 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
       sphere_(make_ball(0)),
       tree_of_(world.shape.size(), scene::kNone),
       piece_a_(make_capsule()),
-      piece_b_(make_capsule()) {
+      piece_b_(make_capsule()),
+      ball_a_(make_ball(0)),
+      ball_b_(make_ball(0)) {
   check(options_);
   for (uint32_t i = 0; i < world.shape.size(); ++i) {
     solids_.push_back(make_solid(world, i));
     if (world.shape[i].kind == SWAGE_SHAPE_CHAIN) {
       tree_of_[i] = static_cast<uint32_t>(tree_.size());
       tree_.emplace_back(world, i);
+      const bool spheres = (world.shape[i].flags & scene::kChainOfSpheres) != 0;
+      spheres_of_.push_back(spheres ? static_cast<uint32_t>(spheres_.size()) : scene::kNone);
+      if (spheres) spheres_.emplace_back(tree_.back().segments() + 1);
     }
     body_.push_back(world.shape[i].body);
     const bool chained = in_chain(world, i);

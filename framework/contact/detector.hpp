@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/chain.hpp"
+#include "contact/chain_spheres.hpp"
 #include "contact/contact_set.hpp"
 #include "contact/narrow_phase.hpp"
 #include "contact/solid.hpp"
@@ -145,6 +146,12 @@ class Detector {
   Part whole(const scene::World& world, uint32_t shape) noexcept;
   Part piece(const scene::World& world, uint32_t shape, uint32_t segment, Solid& solid) const noexcept;
   void detect_with_chain(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept;
+  // chains of spheres: detector_spheres.cpp
+  bool is_spheres(uint32_t shape) const noexcept { return is_chain(shape) && spheres_of_[tree_of_[shape]] != scene::kNone; }
+  const ChainSpheres& spheres(uint32_t shape) const noexcept { return spheres_[spheres_of_[tree_of_[shape]]]; }
+  Part sphere(const scene::World& world, uint32_t shape, uint32_t vertex, Solid& solid) const noexcept;
+  void detect_spheres(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept;
+  void detect_spheres_with(const scene::World& world, const ShapePair& pair, bool first, ContactSet& set) noexcept;
   void detect_parts(const scene::World& world, const ShapePair& pair, const Part& a, const Part& b,
                     ContactSet& set) noexcept;
   bool collide_parts(const Part& a, const Part& b, double moves, const Query& query, double length) noexcept;
@@ -183,6 +190,9 @@ class Detector {
   std::vector<ChainTree> tree_;    // one per shape of kind CHAIN
   std::vector<uint32_t> tree_of_;  // per shape: index into tree_, or kNone
   Solid piece_a_, piece_b_;        // one piece of a chain each
+  std::vector<ChainSpheres> spheres_;  // one per chain that is touched at its vertices only
+  std::vector<uint32_t> spheres_of_;   // per chain: index into spheres_, or kNone
+  Solid ball_a_, ball_b_;              // one sphere of a chain each
 };
 
 }  // namespace swage::contact

@@ -5,14 +5,11 @@
 #include <algorithm>
 
 #include "contact/detector.hpp"
+#include "contact/detector_part.hpp"
 #include "contact/wire_feature.hpp"
 
 namespace swage::contact {
 namespace {
-
-/// A contact at the end of a piece is reported by the next piece if the gap falls into that by more than this slope. Of two
-/// pieces that meet in a lowest vertex the first reports it; an end is a place within this share of the piece.
-constexpr double kFalls = 1e-6, kEnd = 1e-9;
 
 /// A line of contact this many radii long weighs as much as one touch: 0.44 mm of a 10-0 thread, which bears on a jaw 0.5 mm wide
 /// with the stiffness of the pair. Smaller: stiffer lines.
@@ -40,43 +37,21 @@ bool bears(const Contact& c) { return !c.f_a_W.isZero(0) || !c.bristle_W.isZero(
 
 }  // namespace
 
-/// One side of a query: a piece of a chain, or a whole shape.
-struct Detector::Part {
-  const Solid* solid = nullptr;
-  Frame X;
-  Motion motion;
-  const ChainTree* chain = nullptr;
-  uint32_t segment = 0;
-  Frame X_BS;  // piece in its body
-
-  /// Place of a contact on the chain, n pointing into this side: on the centre line, from the touch by the radius and half the gap along n.
-  ChainPlace place(const Touch& t, const Vec3& n) const {
-    return chain != nullptr ? chain->place(segment, t.p_W + (solid->radius + 0.5 * t.gap) * n) : ChainPlace{};
-  }
-  /// Whether the next piece reports this contact.
-  bool left_to_next(double share, const Vec3& n) const {
-    if (chain == nullptr) return false;
-    if (share > kEnd && share < 1 - kEnd) return false;
-    const Vec3 onward = chain->onward(segment, share >= 1 - kEnd);
-    if (onward.isZero(0)) return false;
-    return share <= kEnd || n.dot(onward) < -kFalls;
-  }
-};
-
 void Detector::refit_chain(const scene::World& world, uint32_t shape) noexcept {
   ChainTree& tree = tree_[tree_of_[shape]];
   tree.refit(world);
+  if (is_spheres(shape)) spheres_[spheres_of_[tree_of_[shape]]].refit(tree);
   ball_[shape] = {tree.all().centre(), tree.all().half(), tree.moves() + tree.drift()};
 }
 
 Detector::Part Detector::whole(const scene::World& world, uint32_t shape) noexcept {
-  return {&solids_[shape], X_WB_[body_[shape]], motion(world, body_[shape]), nullptr, 0, {}};
+  return {&solids_[shape], X_WB_[body_[shape]], motion(world, body_[shape]), nullptr, 0, 0, false, {}};
 }
 
 Detector::Part Detector::piece(const scene::World& world, uint32_t shape, uint32_t segment,
                                Solid& solid) const noexcept {
   Part part;
-  part.chain = &tree_[tree_of_[shape]], part.segment = segment;
+  part.chain = &tree_[tree_of_[shape]], part.segment = part.number = segment;
   part.chain->solid_of(segment, world.dt, solid, part.X, part.motion);
   part.solid = &solid;
   part.X_BS = X_WB_[body_[shape]].inverse_times(part.X);
@@ -84,6 +59,7 @@ Detector::Part Detector::piece(const scene::World& world, uint32_t shape, uint32
 }
 
 void Detector::detect_with_chain(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept {
+  if (is_spheres(pair.shape_a) || is_spheres(pair.shape_b)) return detect_spheres(world, pair, set);
   const double margin = options_.margin * world.length;
   const bool a = is_chain(pair.shape_a), b = is_chain(pair.shape_b);
   if (a && b) {
@@ -128,11 +104,13 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
 
   Query query = query_of(world, pair, margin + moves);
   query.piece = true, query.line_points = kPiecePoints;
+  // a sphere touches in one point, where it is at the end of the step
+  if (a.sphere || b.sphere) query.piece = query.goes_on = false, query.flatness = 0;
   const bool swept = collide_parts(a, b, moves, query, world.length);
   weigh_lines(a.chain != nullptr ? a.solid->radius : b.solid->radius);
-  const uint64_t part = a.chain != nullptr && b.chain != nullptr ? uint64_t{a.segment} << 10 | b.segment
-                        : a.chain != nullptr                      ? a.segment
-                                                                  : b.segment;
+  const uint64_t part = a.chain != nullptr && b.chain != nullptr ? uint64_t{a.number} << 10 | b.number
+                        : a.chain != nullptr                      ? a.number
+                                                                  : b.number;
   set.dropped += static_cast<uint64_t>(manifold_.dropped);
   for (int i = 0; i < manifold_.count; ++i) {
     Candidate& c = manifold_.candidate[static_cast<size_t>(i)];
@@ -159,7 +137,7 @@ bool Detector::collide_parts(const Part& a, const Part& b, double moves, const Q
                              double length) noexcept {
   Separation none;
   const double thickness = std::max(a.solid->radius + b.solid->radius, kSweepFrom * length);
-  if (moves > thickness) {
+  if (moves > thickness && !a.sphere && !b.sphere) {
     const FirstTouch touch =
         first_touch(*a.solid, a.motion, *b.solid, b.motion, kTouchGap * length, none, manifold_);
     if (touch.hit) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <swage/abi/spheres.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,7 @@ Vec3 vertex(const swage_chain& c, uint32_t i) {
 
 /// Fault of a chain, or "". `states`: private doubles of the instance.
 std::string problem_of(const swage_chain* c, uint32_t states) {
-  if (c == nullptr || c->kind != SWAGE_CHAIN_SEGMENTS) return say::kChainKind();
+  if (c == nullptr || (c->kind != SWAGE_CHAIN_SEGMENTS && c->kind != SWAGE_CHAIN_SPHERES)) return say::kChainKind();
   if (c->n_vertex < 2 || c->n_vertex > kMost)
     return say::kChainCount(kMost, c->n_vertex);
   if (c->p_B == nullptr || c->radius == nullptr) return say::kChainNothing();
@@ -81,7 +83,9 @@ struct ChainCalls {
     for (const swage_vec3& p : info.start)
       shape.bounding_radius = std::max(shape.bounding_radius, toolkit::vec(p).norm() + shape.radius);
     const uint32_t index = b.add_shape(body, shape, flags);
-    if (index != scene::kNone) b.world_.chain.push_back(std::move(info));
+    if (index == scene::kNone) return index;
+    b.world_.chain.push_back(std::move(info));
+    if (chain->kind == SWAGE_CHAIN_SPHERES) b.world_.shape.back().flags |= scene::kChainOfSpheres;
     return index;
   }
 };

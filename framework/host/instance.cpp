@@ -18,8 +18,8 @@ constexpr std::array kCalls = {
     "none",      "create",         "configure", "activate", "deactivate", "destroy",   "get_extension",
     "bind",      "open",           "close",     "forces",   "finish",     "reset",     "advance",
     "mobility",  "apply_impulses", "resolve",   "observe",  "exchange",   "change",    "ties",
-    "on_solved", "displacement",   "dents",     "tears",    "wounds",     "linearise", "displace",
-    "load",      "init",           "descriptor"};
+    "on_solved", "displacement",   "draw",      "linearise", "displace",  "load",      "init",
+    "descriptor"};
 
 static_assert(kCalls.size() == static_cast<std::size_t>(Call::kDescribe) + 1, "each call has its word");
 

@@ -60,9 +60,7 @@ enum class Call : uint32_t {
   kTies,
   kOnSolved,
   kDisplacement,
-  kDents,
-  kTears,
-  kWounds,
+  kDraw,
   kLinearise,
   kDisplace,  // [rt]
   kLoad,

@@ -9,6 +9,7 @@
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/sight.h>
+#include <swage/abi/visual.h>
 
 #include <memory>
 #include <string>
@@ -38,7 +39,7 @@ struct ObjectSlot {
   const swage_solver* solver = nullptr;    // flexible body, or nullptr
   const swage_solver_2* solver_2 = nullptr;  // the same for an object with chains, instead of solver
   const swage_surface* surface = nullptr;  // its free surface, or nullptr
-  const swage_dents* dents = nullptr;      // dents to draw, or nullptr
+  const swage_visuals* visuals = nullptr;  // what it draws beside its shapes, or nullptr
   Range body, particle, shape, hinge, state, signal;
   Follow follow;
   swage_pose X_WO{};  // pose of the object's frame, by the lesson
@@ -50,8 +51,7 @@ struct CouplingSlot {
   std::unique_ptr<Instance> instance;
   const swage_coupling* coupling = nullptr;
   const swage_ties* ties = nullptr;      // ties that it makes, or nullptr
-  const swage_tears* tears = nullptr;    // torn places to draw, or nullptr
-  const swage_wounds* wounds = nullptr;  // details of the wounds, or nullptr
+  const swage_visuals* visuals = nullptr;  // what it draws on object b, or nullptr
   uint32_t object_a = kNone, object_b = kNone;
   uint32_t pair = kNone;       // index into Rig::pairs; couplings that only observe share the pair that detects
   Range state, signal, event;  // event: into Script::events

@@ -193,6 +193,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"title", text},
                    {"summary", text},
                    {"goal", text},
+                   {"reset", closed({{"label", {{"type", "string"}, {"minLength", 1}, {"maxLength", 24}}}, {"tip", text}}, {"label"})},
                    {"seed", {{"type", "integer"}, {"minimum", 0}}},
                    {"rate_hz", quantity_schema("Hz", 200, 10000)},
                    {"scene_length", quantity_schema("m", 1e-6, 10)},

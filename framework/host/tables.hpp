@@ -8,6 +8,7 @@
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/sight.h>
+#include <swage/abi/visual.h>
 
 #include <string>
 
@@ -22,10 +23,8 @@ inline bool complete(const swage_solver_2& t) { return t.advance && t.mobility &
 inline bool complete(const swage_band& t) { return t.linearise && t.displace; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
 inline bool complete(const swage_surface& t) { return t.displacement; }
-inline bool complete(const swage_dents& t) { return t.dents; }
 inline bool complete(const swage_ties& t) { return t.ties && t.on_solved; }
-inline bool complete(const swage_tears& t) { return t.tears; }
-inline bool complete(const swage_wounds& t) { return t.wounds; }
+inline bool complete(const swage_visuals& t) { return t.draw; }
 inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }
 inline bool complete(const swage_device_sight& t) { return t.bind && t.look; }
 inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }

@@ -118,6 +118,7 @@ std::string_view without_value(std::string_view doc) { return doc.substr(0, doc.
 
 std::vector<std::string> words_of(const PluginInfo& plugin) {
   List list;
+  list.add(plugin.name);
   for (const Param& p : plugin.params) {
     if (p.hidden() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
     list.add(p.label.empty() ? p.id : p.label);
@@ -153,6 +154,8 @@ std::vector<std::string> words_of(const snapshot::SceneCard& card) {
 std::vector<std::string> words_of(const ordered_json& lesson) {
   List list;
   for (const char* key : {"title", "summary", "goal"}) list.add(lesson, key);
+  if (const auto reset = lesson.is_object() ? lesson.find("reset") : lesson.end(); reset != lesson.end())
+    for (const char* key : {"label", "tip"}) list.add(*reset, key);
   for (const char* part : {"objects", "couplings", "devices"}) {
     const auto uses = lesson.is_object() ? lesson.find(part) : lesson.end();
     if (uses == lesson.end() || !uses->is_array()) continue;

@@ -13,7 +13,7 @@ namespace swage::record {
 struct CourseStep {
   std::string lesson_id, title;
   std::string digest;                // of the published version to run; "": the lesson's present text
-  std::vector<judge::Limit> limits;  // none: the lesson's own verdict decides
+  std::vector<judge::Limit> limits;  // beside the lesson's own verdict, which is always asked
   judge::PassRule rule;
   bool is_open = false;  // may be done at any time, independent of the order
 };

@@ -15,9 +15,7 @@ bool is_of(const CourseStep& step, const AttemptRow& a) {
   return a.lesson_id == step.lesson_id && (step.digest.empty() || a.lesson_digest == step.digest);
 }
 
-// A machine that was too slow, forces that were off and missing steps distort times, speeds and forces: such an attempt does not
-// count, unless an instructor has ruled that it counts.
-bool is_sound(const AttemptRow& a) { return !a.is_void && (a.remark.empty() || !a.void_by.empty()); }
+bool is_passed(const AttemptRow& a) { return a.outcome == "passed"; }
 
 StepStanding stand(const CourseStep& step, std::span<const AttemptRow* const> oldest_first) {
   StepStanding out;
@@ -40,13 +38,16 @@ StepStanding stand(const CourseStep& step, std::span<const AttemptRow* const> ol
 
 }  // namespace
 
+// A machine that was too slow, forces that were off and missing steps distort times, speeds and forces.
+bool is_sound(const AttemptRow& a) { return !a.is_void && (a.remark.empty() || !a.void_by.empty()); }
+
 bool counts(const CourseStep& step, const AttemptRow& a) {
   return is_of(step, a) && a.mode == "test" && a.state == "complete" && is_sound(a) && !a.is_scripted;
 }
 
 judge::Met meets(const CourseStep& step, const AttemptRow& a) {
   judge::Met met = judge::meets(step.limits, judge::metrics_of(a.metrics));
-  if (step.limits.empty()) met.all = a.outcome == "passed";
+  met.all = met.all && is_passed(a);
   return met;
 }
 
@@ -68,8 +69,11 @@ std::vector<StepStanding> standing(const Course& course, std::span<const Attempt
 
 std::vector<std::vector<std::pair<std::string, double>>> metrics_of(const CourseStep& step, std::span<const AttemptRow> attempts) {
   std::vector<std::vector<std::pair<std::string, double>>> out;
-  for (const AttemptRow& a : attempts)
-    if (is_of(step, a) && a.state == "complete" && is_sound(a)) out.push_back(judge::metrics_of(a.metrics));
+  for (const AttemptRow& a : attempts) {
+    if (!is_of(step, a) || a.state != "complete" || !is_sound(a)) continue;
+    out.emplace_back();
+    if (is_passed(a)) out.back() = judge::metrics_of(a.metrics);
+  }
   return out;
 }
 

@@ -17,7 +17,11 @@ namespace swage::record {
 /// with nothing that distorts its numbers (AttemptRow::remark) unless an instructor has ruled that it counts.
 bool counts(const CourseStep&, const AttemptRow&);
 
-/// Whether an attempt meets the requirements of a step: its limits, or the lesson's own verdict where there are none.
+/// False for an attempt that is void, or whose numbers are distorted (AttemptRow::remark) unless an instructor has ruled that it counts.
+bool is_sound(const AttemptRow&);
+
+/// Whether an attempt meets the requirements of a step: the lesson's own verdict, and the limits. An attempt that failed after a second
+/// would keep every limit of time, so that limits alone are not enough.
 judge::Met meets(const CourseStep&, const AttemptRow&);
 
 struct StepStanding {
@@ -32,8 +36,8 @@ struct StepStanding {
 /// For one person; `attempts` in any order. Days are those of this machine's time zone.
 std::vector<StepStanding> standing(const Course&, std::span<const AttemptRow> attempts);
 
-/// The metrics of attempts in the form for judge::meet_together() and judge::expert_band(): of the step's lesson, complete, not void,
-/// not distorted.
+/// The metrics of attempts in the form for judge::meet_together() and judge::expert_band(): of the step's lesson, complete, sound. An
+/// attempt that was not passed meets nothing and has no value: an empty list.
 std::vector<std::vector<std::pair<std::string, double>>> metrics_of(const CourseStep&, std::span<const AttemptRow> attempts);
 
 /// Number of the day of a time such as "2025-06-01T09:30:00.125Z", in this machine's time zone. -1 for an invalid time.

@@ -11,6 +11,9 @@
 
 namespace swage::scene {
 
+/// In the flags of a shape of kind CHAIN, beside SWAGE_SHAPE_*: it is touched at its vertices only (SWAGE_CHAIN_SPHERES).
+inline constexpr uint32_t kChainOfSpheres = 1u << 16;
+
 /// A place on the centre line of a chain: at the fraction `share` of the segment from vertex `segment` to the next.
 struct ChainPlace {
   uint32_t segment = kNone;  // kNone: on no chain

@@ -3,8 +3,8 @@
 // What leaves the step: plain data, fixed capacities, no pointers. Static things go once, in the scene card.
 #pragma once
 
-#include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
+#include <swage/abi/visual.h>
 
 #include <cstdint>
 
@@ -22,9 +22,8 @@ inline constexpr uint32_t kMaxMetrics = 64;
 inline constexpr uint32_t kMaxMarks = 32;
 inline constexpr uint32_t kMaxDevices = 4;
 inline constexpr uint32_t kMaxContacts = 64;
-inline constexpr uint32_t kMaxDents = 16;
-inline constexpr uint32_t kMaxTears = 64;
-inline constexpr uint32_t kMaxWounds = 16;
+inline constexpr uint32_t kMaxVisuals = 128;
+inline constexpr uint32_t kMaxVisualsOfOne = 80;  // of one object or coupling, so that others have room as well
 inline constexpr uint32_t kPhases = 12;
 
 /// Health of the loop, counted since the start of the run. Wall times include the rest of the
@@ -56,19 +55,11 @@ struct ContactMark {
   swage_vec3 p_W{}, f_W{};
 };
 
-/// A dent in the surface of an object, a torn place in it, and what that leads to (see the ABI for what the numbers mean). The
-/// places of a wound are its tears with the same coupling and number.
-struct DentMark {
-  swage_dent dent{};
-  uint32_t object = 0, reserved = 0;
-};
-struct TearMark {
-  swage_tear tear{};
-  uint32_t object = 0, coupling = 0;
-};
-struct WoundMark {
-  swage_wound wound{};
-  uint32_t object = 0, coupling = 0;
+/// Something drawn on an object beside its shapes (see the ABI for what the numbers mean); places and directions in the world.
+/// Regions with the same number by different couplings are different ones.
+struct VisualMark {
+  swage_visual visual{};
+  uint32_t object = 0, coupling = 0;  // coupling: that draws it; scene::kNone, the object itself does
 };
 
 struct Snapshot {
@@ -78,7 +69,7 @@ struct Snapshot {
   uint32_t n_body = 0, n_particle = 0, n_object = 0, n_signal = 0;
   uint32_t n_metric = 0, n_mark = 0, n_device = 0, n_contact = 0;
   uint32_t outcome = 0, reason = 0, phase = 0, paused = 0;
-  uint32_t n_dent = 0, n_tear = 0, n_wound = 0, reserved = 0;
+  uint32_t n_visual = 0, reserved = 0;
   double score = 0;
   LoopHealth health;
   swage_pose X_WB[kMaxBodies];
@@ -90,9 +81,7 @@ struct Snapshot {
   swage_vec3 mark_p_W[kMaxMarks];
   DeviceState device[kMaxDevices];
   ContactMark contact[kMaxContacts];
-  DentMark dent[kMaxDents];
-  TearMark tear[kMaxTears];
-  WoundMark wound[kMaxWounds];
+  VisualMark visual[kMaxVisuals];
   double particle_p_W[3 * kMaxParticles];  // last: what a scene does not have is not copied (channel.hpp)
 };
 

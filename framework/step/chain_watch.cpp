@@ -26,7 +26,7 @@ ChainWatch::ChainWatch(scene::World& world, contact::Detector& detector) : world
   alone_.assign(world.chain.size(), 1);
   for (const scene::Shape& shape : world.shape)
     for (const contact::Pair& pair : detector.pairs())
-      if (shape.chain != scene::kNone && pair.object_a == shape.object && pair.object_b == shape.object) alone_[shape.chain] = 0;
+      if ((shape.flags & scene::kChainOfSpheres) == 0 && shape.chain != scene::kNone && pair.object_a == shape.object && pair.object_b == shape.object) alone_[shape.chain] = 0;
   V_.reserve(world.V_WB.size());
   detector_.reserve(on_the_way_);
 }

@@ -38,7 +38,7 @@ class ChainWatch {
   std::vector<double> p_begun_;      // m, vertices of all chains at the beginning of the step
   std::vector<double> p_looked_;     // m, the same when contacts were detected
   std::vector<double> boxes_;        // work space of toolkit::passages
-  std::vector<uint8_t> alone_;       // per chain: 1 where no pair lets it touch itself; it may pass
+  std::vector<uint8_t> alone_;       // per chain: 1 where no pair lets it touch itself, or its vertices only; it may pass
   std::vector<double> v_;            // m/s, velocities of the chains, while the detector is given others
   std::vector<swage_twist> V_;       // velocities of the bodies, the same
   contact::ContactSet on_the_way_;

@@ -26,9 +26,8 @@ class Couplings {
   /// The ties of this step, for the solve: coupling by coupling. [rt] after resolve
   std::span<dynamics::Tie> ties() noexcept;
   void on_solved() noexcept;  // [rt] solved: returns to each coupling its ties, before finish
-  /// Writes the torn places to draw and returns their number. [rt] between steps
-  uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
-  uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same for wounds
+  /// What a coupling is shown while it draws; nullptr where it or one of its objects is out of the scene. [rt] between steps
+  const swage_coupling_step* shown(uint32_t coupling) const noexcept { return released(coupling) ? nullptr : &step_[coupling]; }
   std::span<const dynamics::Tie> solved_ties() const noexcept { return tie_; }
 
  private:
@@ -37,9 +36,6 @@ class Couplings {
     uint32_t coupling = 0;
   };
 
-  /// Marks that a coupling draws; none where one of them is not finite. [rt] between steps
-  template <class Mark, class Ask>
-  uint32_t marks(uint32_t coupling, host::Call call, std::span<Mark> out, Ask ask) const noexcept;
   bool released(uint32_t coupling) const noexcept;
   bool released_pair(uint32_t pair) const noexcept;
   void release(contact::ContactSet& contacts) noexcept;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ties that couplings make between the bodies of their two objects: requested after resolve, returned solved. And the
-// marks of couplings to draw.
+// Ties that couplings make between the bodies of their two objects: requested after resolve, returned solved.
 #include <algorithm>
 #include <cmath>
 
@@ -20,13 +19,6 @@ namespace {
 constexpr double kUnit = 1e-6;  // tolerance of an axis' length of 1
 
 bool finite(const swage_vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-bool sensible(const swage_tear& t) {
-  return finite(t.a_W) && finite(t.b_W) && finite(t.normal_W) && std::isfinite(t.radius);
-}
-bool sensible(const swage_wound& w) {
-  return finite(w.p_W) && finite(w.inward_W) && std::isfinite(w.depth) && std::isfinite(w.area);
-}
 
 bool stiffness(double k) { return std::isfinite(k) && k >= 0; }
 
@@ -98,30 +90,6 @@ void Couplings::on_solved() noexcept {
                              shown_tie_.data() + ties_of_[i].first);
     });
   }
-}
-
-template <class Mark, class Ask>
-uint32_t Couplings::marks(uint32_t coupling, host::Call call, std::span<Mark> out, Ask ask) const noexcept {
-  if (out.empty() || released(coupling)) return 0;
-  uint32_t n = 0;
-  const auto room = static_cast<uint32_t>(out.size());
-  host::Instance& instance = *rig_.couplings[coupling].instance;
-  const bool given = host::guarded(instance, call, rig_.world.step,
-                                   [&] { return ask(instance.raw, &step_[coupling], room, out.data(), &n); });
-  if (!given || n > room) return 0;
-  const bool good =
-      std::all_of(out.begin(), out.begin() + n, [](const Mark& mark) { return sensible(mark); });
-  return good ? n : 0;
-}
-
-uint32_t Couplings::tears(uint32_t coupling, std::span<swage_tear> out) const noexcept {
-  const swage_tears* table = rig_.couplings[coupling].tears;
-  return table == nullptr ? 0 : marks(coupling, host::Call::kTears, out, table->tears);
-}
-
-uint32_t Couplings::wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept {
-  const swage_wounds* table = rig_.couplings[coupling].wounds;
-  return table == nullptr ? 0 : marks(coupling, host::Call::kWounds, out, table->wounds);
 }
 
 }  // namespace swage::step

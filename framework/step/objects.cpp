@@ -198,22 +198,6 @@ void Objects::finish() noexcept {
   }
 }
 
-uint32_t Objects::dents(uint32_t object, std::span<swage_dent> out) const noexcept {
-  const host::ObjectSlot& slot = rig_.objects[object];
-  if (slot.dents == nullptr || out.empty()) return 0;
-  uint32_t n = 0;
-  const auto room = static_cast<uint32_t>(out.size());
-  const swage_object_step& view = view_[object];
-  const bool given = host::guarded(*slot.instance, host::Call::kDents, view.step, [&] {
-    return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n);
-  });
-  if (!given || n > room) return 0;
-  return host::accept(*slot.instance, host::Call::kDents, view.step, numbers(out.data()), 7 * std::size_t{n},
-                      kMaxPosition)
-             ? n
-             : 0;
-}
-
 std::span<dynamics::FlexibleBody* const> Objects::self() noexcept {
   self_now_.clear();
   for (const auto& port : self_)

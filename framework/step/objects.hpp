@@ -28,9 +28,6 @@ class Objects {
   void freeze() noexcept;                // [rt] objects in quarantine keep their last pose
   void guard() noexcept;                 // [rt] checks the state after the solve
 
-  /// Writes the dents to draw and returns their number. [rt] between steps
-  uint32_t dents(uint32_t object, std::span<swage_dent> out) const noexcept;
-
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
   std::span<dynamics::FlexibleBody* const> self() noexcept;  // flexible bodies that are not frozen

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "step/step.hpp"
+#include "step/visuals.hpp"
 #include "toolkit/math.hpp"
 #include "toolkit/mirror.hpp"
 
@@ -82,17 +83,9 @@ void mirror(snapshot::Snapshot& out) {
   for (uint32_t i = 0; i < out.n_device; ++i) out.device[i].X_WD = mirrored(out.device[i].X_WD);
   for (uint32_t i = 0; i < out.n_contact; ++i)
     out.contact[i] = {mirrored(out.contact[i].p_W), mirrored(out.contact[i].f_W)};
-  for (uint32_t i = 0; i < out.n_dent; ++i) {
-    swage_dent& dent = out.dent[i].dent;
-    dent.p_W = mirrored(dent.p_W), dent.u_W = mirrored(dent.u_W);
-  }
-  for (uint32_t i = 0; i < out.n_tear; ++i) {
-    swage_tear& tear = out.tear[i].tear;
-    tear.a_W = mirrored(tear.a_W), tear.b_W = mirrored(tear.b_W), tear.normal_W = mirrored(tear.normal_W);
-  }
-  for (uint32_t i = 0; i < out.n_wound; ++i) {
-    swage_wound& wound = out.wound[i].wound;
-    wound.p_W = mirrored(wound.p_W), wound.inward_W = mirrored(wound.inward_W);
+  for (uint32_t i = 0; i < out.n_visual; ++i) {
+    swage_visual& v = out.visual[i].visual;
+    v.a = mirrored(v.a), v.b = mirrored(v.b), v.direction = mirrored(v.direction);
   }
 }
 
@@ -157,26 +150,8 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
     const contact::Contact& c = contacts_.contact[i];
     out.contact[i] = {toolkit::raw(c.p_W), toolkit::raw(c.f_a_W)};
   }
-  fill_marks(out);
+  fill_visuals(rig_, objects_, couplings_, out);
   if (rig_.mirror) mirror(out);
-}
-
-// dents, tears and wounds to draw: requested when a snapshot is filled, and never part of the state
-void Engine::fill_marks(snapshot::Snapshot& out) const noexcept {
-  using namespace snapshot;
-  out.n_dent = out.n_tear = out.n_wound = 0;
-  swage_dent dent[kMaxDents];
-  for (uint32_t i = 0; i < out.n_object; ++i)
-    for (uint32_t k = 0, n = objects_.dents(i, {dent, kMaxDents - out.n_dent}); k < n; ++k)
-      out.dent[out.n_dent++] = {dent[k], i, 0};
-  swage_tear tear[kMaxTears];
-  for (uint32_t i = 0; i < rig_.couplings.size(); ++i)
-    for (uint32_t k = 0, n = couplings_.tears(i, {tear, kMaxTears - out.n_tear}); k < n; ++k)
-      out.tear[out.n_tear++] = {tear[k], rig_.couplings[i].object_b, i};
-  swage_wound wound[kMaxWounds];
-  for (uint32_t i = 0; i < rig_.couplings.size(); ++i)
-    for (uint32_t k = 0, n = couplings_.wounds(i, {wound, kMaxWounds - out.n_wound}); k < n; ++k)
-      out.wound[out.n_wound++] = {wound[k], rig_.couplings[i].object_b, i};
 }
 
 }  // namespace swage::step

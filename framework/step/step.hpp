@@ -135,7 +135,6 @@ class Engine {
   bool read_state(scene::Reader& in) noexcept;
   void rehash() noexcept;
   void fill_head(snapshot::Snapshot& out) const noexcept;
-  void fill_marks(snapshot::Snapshot& out) const noexcept;
 
   host::Rig& rig_;
   const Options options_;

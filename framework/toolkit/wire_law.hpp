@@ -6,7 +6,8 @@
 // limit, follow the closed form of the round section (wire_section.hpp): elastic core, growing hinge, and when bent back
 // Masing's doubled curve with its early yielding. The moment is right to 0.35 %, and the residual curvature to 6.5 %, from 1.02
 // to 1.689 of the moment of first yield, 99.5 % of the plastic moment. That curvature grows as 1.92 (c - 1)^(5/2) at first, c the
-// curvature over that of first yield: the layers are closest there. In normalised form: curvatures in yield curvatures, moments in yield
+// curvature over that of first yield: the layers are closest there. Below 1.02 the sum over an arm counts, whose moment falls to nothing:
+// what the arm keeps is right to 7 % where it bears 1.02 or more at its clamp. In normalised form: curvatures in yield curvatures, moments in yield
 // moments, so that stiffness is 1; three components, whose lengths as vectors decide about yield (von Mises). Torsion shares
 // the shape of the law, whose plateau is then 1.69 instead of 4/3 of first yield.
 //
@@ -21,7 +22,7 @@ namespace swage::toolkit {
 
 /// Memory of one section, plain numbers that a host can keep.
 struct WireMemory {
-  static constexpr int kLayers = 12;
+  static constexpr int kLayers = 15;
   double plastic[kLayers][3] = {};  // curvature at which each layer is free of load, in yield curvatures
   double path = 0;                  // path length of the plastic curvature, in yield curvatures
 };
@@ -89,12 +90,13 @@ class WireLaw {
     double limit, share;  // yield curvatures; of the stiffness
   };
   // Found by search: the least of the greatest relative error of the residual curvature, both at the same moment (1.02 to 1.689
-  // of first yield) and at the same curvature (to 20 of first yield), and of 20 times the error of the moment. The shares add up to
-  // 1, limit times share to 16/(3 pi), the plastic moment.
+  // of first yield) and at the same curvature (to 20 of first yield), of 18 times the error of the moment, and of 0.7 times that of what arms of
+  // 12, 24 and 40 pieces keep (bent_wire.hpp) that bear 1.02 to 1.6 at the clamp. The shares add up to 1, limit times share to
+  // 16/(3 pi), the plastic moment. 12 layers leave 9 % of the curvature and 11 % of an arm's angle.
   static constexpr Layer kLayer[kLayers] = {
-      {1.014831, 0.0187841}, {1.034263, 0.0211746}, {1.058757, 0.0420484},  {1.099943, 0.0811797},
-      {1.176091, 0.1404725}, {1.305265, 0.1861792}, {1.537202, 0.2137814},  {1.938669, 0.1546082},
-      {2.596045, 0.0891130}, {3.828340, 0.0383211}, {6.130729, 0.0112011}, {12.617883, 0.0031367}};
+      {1.002356, 0.0029744}, {1.013356, 0.0060587}, {1.019312, 0.0089424}, {1.032289, 0.0176848}, {1.052941, 0.0351631},
+      {1.088720, 0.0678488}, {1.152270, 0.1224408}, {1.269050, 0.1868062}, {1.478641, 0.2150818}, {1.839438, 0.1677849},
+      {2.418573, 0.1006703}, {3.416557, 0.0465166}, {5.189500, 0.0165491}, {8.562779, 0.0044130}, {18.198427, 0.0010651}};
   // Least slope of the tangent. Without hardening a section beyond its last layer has none, and its flexibility no bound; a
   // larger floor makes a Newton step towards a moment near the plastic one fall short.
   static constexpr double kLeastSlope = 1e-3;

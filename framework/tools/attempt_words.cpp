@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage attempts void, name, note and export: what people say about attempts, and attempts as others read them.
+// swage attempts void, name, note and export: people's statements about attempts, and attempts in other formats.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -28,7 +28,7 @@ struct Found {
   record::AttemptRow attempt;
 };
 
-// the attempt meant, in a store that may be written; false once told
+// finds the attempt in a writable store; false with the reason printed
 bool find(const AttemptWords& o, Found& out) {
   std::string error;
   const std::string where = store_place(o.store);
@@ -56,7 +56,7 @@ int answer(const AttemptWords& o, const Json& json, const std::string& text) {
   return kPassed;
 }
 
-// Where nothing stands yet, nothing is left to clean: the list of files is kept by the store that they were written from.
+// Lists an exported file in its store, so that erasing a person finds the file too; notes it where that fails.
 void keep_in_mind(const std::string& where, const std::vector<record::Exported>& list, const std::string& kind, const std::string& file) {
   std::set<std::string> people;
   for (const record::Exported& e : list) people.insert(e.attempt.person_id);
@@ -80,7 +80,7 @@ std::string ending_of(const std::string& as) {
   return as == "xapi" ? ".xapi.json" : ".csv";
 }
 
-// the text of a table or of statements; false once told
+// writes a table or statements into `text`; false with the reason printed
 bool text_of(const AttemptWords& o, const std::vector<record::Exported>& list, std::string& text) {
   std::string error;
   if (o.as == "csv") text = record::csv_long(list);
@@ -183,7 +183,7 @@ int export_attempts(const AttemptWords& given) {
   }
   std::vector<record::Exported> list;
   if (!record::read_for_export(where, which, list, error)) return problem(error);
-  // where an attempt's own name could be a path, it does not choose the place of a file
+  // an attempt's id names the file only if it is an id: it could be a path
   const std::string file = !o.file.empty() ? o.file : (!all && record::is_id(row.id) ? row.id : "attempts") + ending_of(o.as);
   std::string text;
   if (o.as == "swage") {

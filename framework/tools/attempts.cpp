@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage attempts: what the store keeps.
+// swage attempts: the attempts in the store.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// importing may make the store
+// `may_make`: creates a missing store, for an import
 std::unique_ptr<record::Store> open(const AttemptsOptions& o, bool may_make = false) {
   std::string error;
   const std::string where = store_place(o.store);
@@ -33,7 +33,7 @@ std::unique_ptr<record::Store> open(const AttemptsOptions& o, bool may_make = fa
     problem(error);
     return nullptr;
   }
-  // attempts whose program died are shown as what they are
+  // attempts whose program ended early are listed as such
   store->recover();
   if (store->read_only())
     tell(base::Severity::kNote, record::shown(where), say::kOnlyRead());
@@ -96,7 +96,7 @@ int list_attempts(const AttemptsOptions& o) {
   if (attempts.empty()) std::printf("no attempts in %s\n", record::shown(store_place(o.store)).c_str());
   for (const record::AttemptRow& a : attempts) {
     const std::string how = a.is_void ? "void" : a.state == "complete" ? a.outcome : a.state;
-    // an attempt that was not passed has no score, here as in the console; --json tells what the lesson computed
+    // an attempt that was not passed has no score, as in the console; --json gives the lesson's own
     const bool scored = a.outcome == "passed" && std::isfinite(a.score);
     std::printf("%s  %s  %-16s %-28s %-10s %5s  %8.1f s  %s\n", printable(a.id).c_str(), printable(a.started_utc.substr(0, 16)).c_str(),
                 printable(a.person_name).c_str(), printable(a.lesson_id).c_str(), printable(how).c_str(),
@@ -157,7 +157,7 @@ int backup_attempts(const AttemptsOptions& o) {
   std::string error;
   const std::string where = store_place(o.store);
   if (!existing_store(where, error) || !record::backup_store(where, o.file, out, error)) return problem(error);
-  // who is erased later is taken out of it, too
+  // the file is listed, so that erasing a person later covers it too
   std::error_code ignored;
   std::vector<std::string> ids;
   const auto school = record::School::open(where, error);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage audit: plays lessons at every level of their ladders with a scripted hand, and tells which level is enough. How to read
-// it: README.md.
+// swage audit: plays lessons at every level of their ladders with a scripted hand, and reports which level is enough. Explained in
+// README.md.
 #include "tools/audit.hpp"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ bool write_all(const std::string& out, const std::vector<AuditLesson>& lessons, 
          write(out + "/audit.svg", audit_svg(lessons));
 }
 
-/// The lessons that a folder has from an earlier audit, judged by the rule of this one. False with a problem told.
+/// Reads the lessons of an earlier audit from its folder and judges them by this rule. False with the problem printed.
 bool read_earlier(const std::string& out, const AuditRule& rule, std::vector<AuditLesson>& lessons) {
   std::ifstream file(out + kRuns, std::ios::binary);
   if (!file) return true;
@@ -101,7 +101,7 @@ bool read_earlier(const std::string& out, const AuditRule& rule, std::vector<Aud
   return true;
 }
 
-/// Every lesson that comes with Swage, in order of its number. False with a problem told.
+/// Adds every lesson that comes with Swage, in the order of their numbers. False with the problem printed.
 bool add_series(std::vector<std::string>& lessons) {
   std::vector<std::string> searched, found;
   const std::string folder = data_folder("lessons/series", searched);
@@ -117,7 +117,7 @@ bool add_series(std::vector<std::string>& lessons) {
   return true;
 }
 
-/// Reads a lesson and plays it; false with the problems told.
+/// Reads a lesson and plays it; false with the problems printed.
 bool play(const AuditOptions& o, const std::string& path, AuditLesson& out) {
   host::Catalogue::Options search;
   search.plugin_dirs = o.plugin_dirs;

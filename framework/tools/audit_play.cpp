@@ -16,15 +16,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using dynamics::FreeMotion;
 
-/// Where a ladder's levels are set.
+/// A ladder and the place where its level is set.
 struct Place {
   std::string name, plugin;
   std::vector<std::string> level;
-  std::size_t own = 0;                                    // the lesson's
+  std::size_t own = 0;                                    // level of the lesson
   void (*choose)(step::Options&, std::size_t) = nullptr;  // of the engine
-  std::string* params = nullptr;                          // of the plugin in the lesson file; nullptr: of the engine
+  std::string* params = nullptr;                          // parameters of the plugin in the lesson file; nullptr: a ladder of the engine
   std::string key = {};                                   // parameter
-  std::vector<Json> value = {};                           // of it, one a level
+  std::vector<Json> value = {};                           // of the parameter, one per level
 };
 
 constexpr FreeMotion kMotions[] = {FreeMotion::kThesis,     FreeMotion::kSymplecticEuler,
@@ -82,7 +82,7 @@ class Player {
     places_.push_back(std::move(place));
   }
 
-  // of how many pieces a thread consists: a quarter of the lesson's to four times as many, as its table permits
+  // number of pieces of a thread: from a quarter to four times the lesson's, within the parameter's range
   void add_segments(const std::string& instance, assembly::PluginUse& use, const host::Param& p) {
     const double own = Json::parse(use.params).value(p.id, p.default_number[0]);
     Place place{instance + ".segments", use.plugin, {}, 0, nullptr, &use.params, p.id};
@@ -113,7 +113,7 @@ class Player {
                        [](step::Options& o, std::size_t i) { o.dynamics.free_motion = kMotions[i]; }});
   }
 
-  // the lesson as it is stands on every ladder, and is played once
+  // the lesson's own level is part of every ladder and is played once
   AuditRun play(const Place& place, std::size_t level) {
     const bool as_it_is = level == place.own;
     if (as_it_is && own_played_) return own_;
@@ -133,7 +133,7 @@ class Player {
     return out;
   }
 
-  // A short run is played again: the same work, and the smaller of two processor times has seen less of what else runs here.
+  // A short run is played twice; the smaller processor time is less disturbed by other programs.
   AuditRun play(const step::Options& options) const {
     constexpr double kShort = 5;  // s, of processor time
     AuditRun out = play_once(options);
@@ -164,10 +164,10 @@ class Player {
     return out;
   }
 
-  // until the verdict, or half a second after the hand has come to its end
+  // steps until the verdict, or kAfter beyond the end of the hand's script
   void drive(step::Engine& engine, AuditRun& out) const {
     constexpr double kAfter = 0.5;     // s, simulated
-    constexpr uint64_t kBetween = 64;  // steps from one look at the clock to the next
+    constexpr uint64_t kBetween = 64;  // steps between two readings of the clock
     double gone_s = 0, spent_s = 0;
     uint64_t steps = 0;
     const int64_t begin = base::cpu_ns();

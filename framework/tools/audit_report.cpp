@@ -22,7 +22,7 @@ std::string quoted(const std::string& text) {
 }
 std::string plain(double value) { return std::isfinite(value) ? format("%.9g", value) : ""; }
 
-/// What a reader should know of a ladder besides its levels.
+/// Remark on a ladder, beside the table of its levels.
 std::string remark(const AuditLadder& ladder) {
   std::string out;
   const AuditLevel& own = ladder.level[ladder.own];
@@ -51,12 +51,12 @@ std::string levels_in_short(const AuditLadder& ladder) {
 struct ModelRow {
   std::string model, level;
   std::size_t played = 0, enough = 0, own = 0;
-  std::vector<double> cost = {};  // of a step over that with the finest level, one a lesson
+  std::vector<double> cost = {};  // cost of a step over that at the finest level, one per lesson
   double worst = 0;               // the largest difference
-  std::string where = "", why = "";  // of it
+  std::string where = "", why = "";  // of the largest difference: lesson, reason
 };
 
-/// "swage.object.needle" -> "needle.level", whatever a lesson calls its needle; of the engine: as it is.
+/// "swage.object.needle" -> "needle.level", whatever name the lesson gives it; a ladder of the engine keeps its name.
 std::string model_of(const AuditLadder& ladder) {
   if (ladder.plugin.empty()) return ladder.name;
   return ladder.plugin.substr(ladder.plugin.rfind('.') + 1) + ladder.name.substr(ladder.name.rfind('.'));
@@ -136,7 +136,7 @@ void lesson_table(const AuditLesson& lesson, std::ostringstream& o) {
 
 constexpr double kWidth = 430, kHeight = 310, kLeft = 56, kRight = 20, kTop = 76, kBottom = 44;
 constexpr std::size_t kColumns = 3;
-constexpr double kLeast = 0.01, kMost = 100;  // differences that are drawn; what is beyond lies on the frame
+constexpr double kLeast = 0.01, kMost = 100;  // range of differences; those beyond it are drawn on the frame
 
 class Chart {
  public:
@@ -191,7 +191,7 @@ class Chart {
     o_ << format("<text x='%.1f' y='%.1f' ", x, y) << extra << ">" << escape(s) << "</text>\n";
   }
 
-  // ladders of one plugin look alike in every panel
+  // ladders of one plugin have the same style in every panel
   std::size_t kind_of(const AuditLadder& ladder) {
     const std::string& kind = ladder.plugin.empty() ? ladder.name : ladder.plugin;
     const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
@@ -255,7 +255,7 @@ class Chart {
     }
   }
 
-  // beside the point, moved up until it hides no other
+  // writes a name beside its point, moved up until it hides no other
   void label(Spot at, const std::string& name, const char* colour) {
     const double wide = 6.2 * static_cast<double>(name.size());
     const bool left = at.x + 10 + wide > kWidth - kRight;

@@ -10,12 +10,12 @@
 namespace swage::tools {
 namespace {
 
-// Processor times closer than this share are equal: what a busy machine adds to a step. Smaller, and noise decides which level is
-// named; larger, and a saving goes unseen.
+// Relative difference up to which processor times count as equal: the noise of a busy machine. With a smaller value noise decides which
+// level is chosen; with a larger one a saving is missed.
 constexpr double kSameCost = 0.1;
 
-// Values closer than this are equal whatever their size: what a trainee could not notice, by unit. An unlisted unit is a pure
-// number's; a larger figure calls levels enough whose difference can be seen, a smaller one tells of noise.
+// Absolute difference up to which values count as equal, by unit: less than a trainee could notice. Other units have that of a pure
+// number. A larger value accepts levels with a visible difference, a smaller one reports noise.
 double noticeable(const std::string& unit) {
   constexpr double kLength = 20e-6, kTime = 0.1, kForce = 0.02;  // m, s, N
   if (unit == "m") return kLength;
@@ -25,7 +25,7 @@ double noticeable(const std::string& unit) {
   return 0.02;  // rad, N, shares and counts
 }
 
-// A metric of points lost is a part of the score, of 100, and is compared as that is.
+// A metric of deducted points is part of the score, of 100, and is compared on the same scale.
 AuditDifference beside(const AuditRule& rule, const AuditMetric& a, const AuditMetric& b) {
   const double larger = std::max(std::abs(a.value), std::abs(b.value));
   const double least = a.id.starts_with("points.") ? 100 * rule.tolerance : noticeable(a.unit);
@@ -67,7 +67,7 @@ void compare(const AuditRule& rule, AuditLevel& level, const AuditRun& reference
                 (worst->unit.empty() || worst->unit == "1" ? "" : " " + worst->unit);
 }
 
-/// The simplest of the levels that are enough and cost no more than the cheapest of them, to within what a busy machine adds.
+/// The simplest of the levels that are enough and whose cost is within kSameCost of the cheapest of them.
 std::size_t choose(const AuditLadder& ladder) {
   double least_s = ladder.level[ladder.reference].run.cpu_s;
   for (const AuditLevel& level : ladder.level)

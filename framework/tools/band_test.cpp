@@ -18,12 +18,12 @@ using BandMatrix = toolkit::Band<SWAGE_BAND_REACH>;
 
 // relative: rounding of a factor of a thread that is 1e5 times stiffer along than across
 constexpr double kBandRounding = 1e-6;
-// m, size of the change that is tried: so small that nothing breaks and rotations stay linear
+// m, size of the tested change: so small that nothing yields or breaks and rotations stay linear
 constexpr double kTriedChange = 1e-9;
 // relative to the change: largest error of a displacement; rotations enter in second order
 constexpr double kGoesWithin = 1e-3;
 
-/// Asks for a stiffer matrix until it can be factored. Held unknowns have the reciprocal pivot 0.
+/// Calls linearise() with rising `stiffer` until the matrix can be factored. Held unknowns have the reciprocal pivot 0.
 std::string factor_band(BandAsk& ask, BandMatrix& A, Eigen::VectorXd& gradient) {
   for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
     A.set_zero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of swage.object.band/1 (abi/band.h), asked of the table alone, beside what the solver of the same object answers.
+// Test of the contract of swage.object.band/1 (abi/band.h): the table alone, compared with the solver of the same object.
 #pragma once
 
 #include <swage/abi/band.h>
@@ -15,7 +15,7 @@
 
 namespace swage::tools {
 
-/// Places that a solver is asked about; where on a chain they are only of an object with chains.
+/// Contact points for a solver; `place` is used only for an object with chains.
 struct SolverPoints {
   std::vector<swage_contact_point> point;
   std::vector<swage_chain_place> place;
@@ -23,7 +23,7 @@ struct SolverPoints {
   bool empty() const { return point.empty(); }
 };
 
-/// What a solver answers for some points.
+/// Result of a solver for some points.
 struct SolverAnswer {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::VectorXd v_free;
@@ -31,13 +31,13 @@ struct SolverAnswer {
   bool operator==(const SolverAnswer& other) const { return v_free == other.v_free && W == other.W; }
 };
 
-/// A band after advance() of its object, what is known of the object, and how it is called.
+/// A band after advance() of its object, with the object's data and the way to call it.
 struct BandAsk {
   const swage_band& table;
   scene::World& world;
   uint32_t chain;  // index in the world
   const SolverPoints& points;
-  const SolverAnswer& all;  // of the points
+  const SolverAnswer& all;  // for `points`
   uint64_t seed;
   std::function<swage_instance*()> raw;
   std::function<const swage_object_step*()> view;
@@ -45,7 +45,7 @@ struct BandAsk {
   std::function<std::string(host::Call, const std::function<swage_result()>&)> call;
 };
 
-/// "" or what is wrong: the answers are finite and those of the solver, and displace() goes where the change says. The world is as it was.
+/// "" or the fault. Tests that results are finite and equal the solver's, and that displace() applies the change. Restores the world.
 std::string check_band(BandAsk& ask);
 
 }  // namespace swage::tools

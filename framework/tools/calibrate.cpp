@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage calibrate: what a jaw sensor's volts mean, asked of a bench or of a person with the needleholder in the hand.
+// swage calibrate: calibration of a jaw sensor, from a table or with a person who holds the needleholder.
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -20,7 +20,7 @@ namespace {
 
 using sensor::Calibration;
 
-// a sensor that is asked for means, and waited for
+// a sensor whose voltage is averaged; waits for the result
 class Bench {
  public:
   std::string open(const CalibrateOptions& o) {
@@ -32,7 +32,7 @@ class Bench {
   std::string name() const { return bench_.name(); }
   std::optional<double> gauge() const { return bench_.gauge(); }
 
-  /// Mean volts from now on. "" or why not.
+  /// Mean voltage over the next `seconds`. "" or the reason of a failure.
   std::string mean(double seconds, double& volts) {
     for (bench_.begin(sensor::now_s(), seconds); bench_.measuring(); pause()) bench_.listen(sensor::now_s());
     return bench_.mean(volts);
@@ -72,7 +72,7 @@ int needs_who(const CalibrateOptions& o) {
   return o.by.empty() ? problem(say::kSayWho()) : kPassed;
 }
 
-// what a table is of, and what a person is asked for it
+// quantity of a table, and the instruction for a person
 enum class Of { kLength, kHandle, kTip };
 constexpr const char* kIntroduction[] = {
     "Draw the sensor to a length, type it in mm, 13 points over 6 mm; an empty line at the end.\n",
@@ -82,7 +82,7 @@ constexpr const char* kIntroduction[] = {
     "and an empty line at the end.\n"};
 constexpr const char* kQuestion[] = {"length in mm:", "force in N:", "force at the tips in N:"};
 
-// length of the sensor where the jaws touch, m; "" or why not
+// length of the sensor at which the jaws touch, m; "" or the reason of a failure
 std::string contact_by_hand(const CalibrateOptions& o, Bench& bench, const Calibration& known, const char* question, double& contact) {
   std::string nothing;
   double volts = 0;
@@ -92,12 +92,12 @@ std::string contact_by_hand(const CalibrateOptions& o, Bench& bench, const Calib
   return "";
 }
 
-// N at the handle beyond what closes it; the sensor may be mounted either way
+// force at the handle beyond that which closes it, N; the sensor may be mounted either way round
 double handle_force(const Calibration& known, double contact, double volts) {
   return known.force.value(std::abs(contact - known.displacement.length(volts))) - known.force.value(0);
 }
 
-// rows "mm, V", "mm, N" or "N, N" from a person: the one is typed, the other measured
+// rows "mm, V", "mm, N" or "N, N" from a person: one number is typed, the other measured
 std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, Of of, const Calibration& known, std::vector<std::vector<double>>& rows) {
   std::printf("%s", kIntroduction[static_cast<int>(of)]);
   double contact = 0;
@@ -123,13 +123,13 @@ std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, Of of, const C
   return "";
 }
 
-// what has to be calibrated before, "" when it is
+// the calibration that must come first and is missing, or ""
 std::string lacks(Of of, const Calibration& c) {
   if (of != Of::kLength && !c.displacement.valid()) return say::kVoltsFirst();
   return of == Of::kTip && c.force.empty() ? say::kTravelFirst() : "";
 }
 
-// where the numbers come from: a table, or a person with the sensor
+// reads the rows from a table, or from a person with the sensor
 std::string collect(const CalibrateOptions& o, Of of, Calibration& c, std::string& path, std::vector<std::vector<double>>& rows) {
   if (!o.table.empty()) {
     if (std::string wrong = read_number_table(o.table, 2, rows); !wrong.empty()) return wrong;
@@ -149,7 +149,7 @@ int not_kept(const std::string& wrong) {
   return kNotPassed;
 }
 
-// a curve in eleven rows; `scale`: of x, for the unit that is shown
+// prints a curve in eleven rows; `scale`: factor of x for the unit shown
 void print_curve(const sensor::MonotoneCurve& curve, double scale, const char* unit) {
   std::printf("%12s %10s\n", unit, "N");
   const double last = curve.points().back().x;
@@ -184,7 +184,7 @@ int calibrate_displacement(const CalibrateOptions& o) {
   c.by = o.by;
   c.date = sensor::today();
   c.expires = sensor::days_after(c.date, o.valid_days);
-  c.poses = {};  // in lengths of the fit before
+  c.poses = {};  // they refer to the lengths of the former fit
   print_points(c);
   return keep(path, c);
 }
@@ -200,7 +200,7 @@ int calibrate_force(const CalibrateOptions& o) {
   std::string wrong = sensor::check_table_size(points.size());
   if (wrong.empty()) wrong = c.force.set(points);
   if (!wrong.empty()) return not_kept(wrong);
-  c.tip = {}, c.check = {};  // in forces of the table before
+  c.tip = {}, c.check = {};  // they refer to the forces of the former table
   print_curve(c.force, 1e3, "mm");
   return keep(path, c);
 }
@@ -238,7 +238,7 @@ int calibrate_check(const CalibrateOptions& o) {
   const double handle = handle_force(c, contact, volts);
   c.check = {o.tip_N, c.tip.empty() ? o.ratio * handle : c.tip.value(handle), sensor::today()};
   std::printf("%s\n", say::kTipForces(format("%.3f", c.check.measured), format("%.3f", c.check.wanted)).c_str());
-  // one that is off is kept as well: who uses it is told
+  // a check that fails is kept as well: the user of the calibration is warned
   const std::string wrong = sensor::check_tip(c.check);
   if (!wrong.empty()) problem(wrong);
   const int kept = keep(path, c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage courses: lessons in order, what is asked of each, and who has passed what.
+// swage courses: lessons in order, the requirements of each, and the progress of each trainee.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -52,7 +52,7 @@ std::string words(const judge::Limit& l) {
   return out + (l.unit == "1" || l.unit.empty() ? "" : " " + l.unit) + (l.is_gate ? ", safety gate" : "");
 }
 
-// A step may name a file: its text is published, and the step refers to that version.
+// Publishes the lesson files that steps name; each step then refers to the published version.
 bool freeze_files(record::School& school, const std::string& folder, Json& course) {
   if (!course.is_object() || !course.contains("steps") || !course["steps"].is_array()) return true;
   for (Json& step : course["steps"]) {
@@ -71,7 +71,7 @@ bool freeze_files(record::School& school, const std::string& folder, Json& cours
   return true;
 }
 
-// attempts of a person or of a group; false once told
+// attempts of a person or of a group; false with the reason printed
 bool attempts_of(record::Store& store, record::School& school, const std::string& who, std::vector<record::AttemptRow>& out) {
   std::string group;
   for (const record::Group& g : school.groups())
@@ -142,7 +142,7 @@ int add_course(const CourseOptions& o) {
   if (!freeze_files(*school, std::filesystem::path(o.file).parent_path(), json)) return kProblem;
   record::Course course;
   if (!record::from_json(json.dump(), course, error)) return problem(say::kOfFile(o.file, error));
-  // a course of that title is the same course, changed
+  // a course with the same title is replaced and keeps its id
   for (const record::Course& c : school->courses())
     if (c.title == course.title) course.id = c.id, course.created_utc = c.created_utc;
   course.published_utc = record::utc_now();

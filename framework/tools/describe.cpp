@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage describe: what a plugin is and which parameters it has, from its one table.
+// swage describe: description and parameters of a plugin, from its own tables.
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -42,7 +42,7 @@ std::string range_text(const Param& p) {
   }
 }
 
-// as a lesson file would write it
+// default value in the notation of a lesson file
 std::string default_text(const Param& p) {
   if (p.required()) return "required";
   swage_value value{};
@@ -51,10 +51,10 @@ std::string default_text(const Param& p) {
   return host::value_text(p, value);
 }
 
-/// What an instance declares, found by making one in a scene of its own, in a child: a plugin that crashes ends nothing here.
+/// Declarations of an instance, made in a scene of its own in a child process, so that a plugin that crashes does no harm here.
 struct Declared {
   nlohmann::ordered_json signals = nlohmann::ordered_json::array(), events = signals;
-  std::string why_not;  // "" when they are known
+  std::string why_not;  // "" when the declarations are known
 };
 
 Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
@@ -89,7 +89,7 @@ Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
   return known;
 }
 
-// what a lesson may watch
+// prints the signals and events that a lesson may watch
 void print_declared(const Declared& known) {
   for (const auto& [title, rows] : {std::pair("Signals", &known.signals), std::pair("Events", &known.events)}) {
     if (!rows->empty()) std::printf("  [%s]\n", title);
@@ -107,13 +107,13 @@ const char* criterion_text(int32_t kind) {
                                           : "demonstration";
 }
 
-// channels of a cue, and its role where it has one: "colour, shape; good"
+// text of a cue's channels and role: "colour, shape; good"
 std::string cue_text(const host::CueInfo& c) {
   const std::string role = host::cue_role_text(c.role);
   return host::channels_text(c.channels) + (role.empty() ? "" : "; " + role);
 }
 
-// what a lesson asks, measures and signals
+// prints the criteria, metrics and cues of a lesson
 void print_card(const PluginInfo& info) {
   if (!info.criteria.empty()) std::printf("  [Criteria]\n");
   for (const host::CriterionInfo& c : info.criteria)
@@ -132,7 +132,7 @@ void print_card(const PluginInfo& info) {
     std::printf("  %-20s %s (%s)\n", c.id.c_str(), c.doc.c_str(), cue_text(c).c_str());
 }
 
-// what a lesson's page shows beside its parameters; compared with it by a test
+// prints the tables of a lesson's page; a test compares the page with them
 void print_card_markdown(const PluginInfo& info) {
   if (!info.metrics.empty())
     std::printf(
@@ -153,7 +153,7 @@ void print_text(const PluginInfo& info) {
   if (!info.traits.empty()) std::printf("  offers %s\n", host::join(info.traits).c_str());
   std::string group;
   for (const Param& p : info.params) {
-    // what is in no group stands under the plugin's own heading
+    // parameters without a group have the plugin's name as heading
     if (p.group != group) std::printf("  [%s]\n", p.group.empty() ? info.name.c_str() : p.group.c_str());
     group = p.group;
     std::printf("  %-20s %-14s %s\n  %-20s %s%s\n", p.id.c_str(), default_text(p).c_str(),
@@ -163,7 +163,7 @@ void print_text(const PluginInfo& info) {
   print_card(info);
 }
 
-// what a plugin's README shows; compared with it by a test
+// prints the parameter table of a plugin's README; a test compares the README with it
 void print_markdown(const PluginInfo& info) {
   std::printf("| Parameter | Default | Range | Meaning |\n| --- | --- | --- | --- |\n");
   for (const Param& p : info.params)
@@ -200,7 +200,7 @@ nlohmann::ordered_json to_json(const PluginInfo& info) {
   return out;
 }
 
-// plugins of the bundle or library at `path`, whatever else is installed
+// plugins of the bundle or library at `path` alone
 std::vector<PluginInfo> in_bundle(const std::string& path, std::string& error) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
@@ -240,7 +240,7 @@ int describe(const DescribeOptions& o) {
     if (!o.what.empty() && one == nullptr) return problem(catalogue.missing_text(o.what));
   }
 
-  // what an instance declares: asked when few plugins are described
+  // declarations of an instance are listed only when few plugins are described
   host::Catalogue::Options everything;
   everything.plugin_dirs = o.plugin_dirs;
   if (is_path) everything.plugin_dirs.insert(everything.plugin_dirs.begin(), plugins[0].bundle_dir);

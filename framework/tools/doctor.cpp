@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage doctor: what this machine grants, and what to do where it does not.
+// swage doctor: checks what this machine offers, with a remedy for each shortcoming.
 #include <dlfcn.h>
 #include <sched.h>
 #include <sys/resource.h>
@@ -29,16 +29,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class State { kGood, kPoor, kBad };  // poor: Swage works, but not as well as it could
+enum class State { kGood, kPoor, kBad };  // kPoor: Swage works, but not at its best
 
 struct MachineFinding {
   std::string name;
   State state = State::kGood;
   std::string text, remedy;
-  std::string command = {};  // what to type, where one command is the remedy
+  std::string command = {};  // command to type, if one command is the remedy
 };
 
-// asked of a thread of its own, so that this one stays what it is
+// tested in a thread of its own, so that the scheduling of this thread does not change
 MachineFinding scheduling() {
   int refused = 0;
   std::thread([&refused] {
@@ -70,7 +70,7 @@ MachineFinding processors() {
           say::kMoreProcessors()};
 }
 
-// as "vendor, version", "" when there is none. EGL is loaded by hand: the program must start without it
+// "vendor, version" of EGL, "" when there is none. EGL is loaded at run time: the program must start without it
 std::string gl_text() {
   constexpr int kVendor = 0x3053, kVersion = 0x3054;  // eglQueryString
   void* egl = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
@@ -88,7 +88,7 @@ std::string gl_text() {
 MachineFinding graphics() {
   if (!has_display())
     return {"graphics", State::kPoor, say::kWithoutWindow(), say::kStartDesktop()};
-  // a driver that crashes must not take the doctor with it
+  // in a child process, because a graphics driver may crash
   const host::ChildResult child = host::run_forked(gl_text, 10);
   if (child.ok() && !child.out.empty()) return {"graphics", State::kGood, child.out, ""};
   return {
@@ -125,7 +125,7 @@ std::vector<MachineFinding> plugins(const DoctorOptions& o) {
   return out;
 }
 
-// the nearest folder that is there
+// the nearest parent folder that exists
 fs::path existing(fs::path path) {
   std::error_code ignored;
   while (!path.empty() && path.has_relative_path() && !fs::exists(path, ignored)) path = path.parent_path();

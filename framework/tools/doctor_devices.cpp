@@ -17,7 +17,7 @@ constexpr double kLimit = 12;  // s: a session waits ten for a device to open
 
 namespace fs = std::filesystem;
 
-// "" for a device that cannot be asked, else what it says, as JSON
+// opens a device and returns the result as JSON, "" for one that cannot be tested here
 std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) {
   const TestScene scene(info, catalogue);
   if (!scene.on_thread()) return nlohmann::json{{"ready", true}, {"said", say::kNoHardware()}}.dump();
@@ -35,14 +35,14 @@ std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) 
   return nlohmann::json{{"ready", result >= 0}, {"said", said}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// what is missing is the first sentence, what to do about it are the others
+// splits a report: the first sentence is the fault, the others are the remedy
 void split(const std::string& said, DeviceState& out) {
   const std::size_t end = said.find(". ");
   out.text = said.substr(0, end);
   out.remedy = end == std::string::npos ? say::kSeeItsPage() : said.substr(end + 2);
 }
 
-// a rule that comes with the plugin, or with Swage
+// path of a udev rule of the plugin or of Swage
 std::string rule_file(const host::PluginInfo& info, const std::string& name) {
   std::error_code ignored;
   if (const fs::path beside = fs::path(info.bundle_dir) / name; fs::exists(beside, ignored)) return beside.string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What swage doctor says of the drivers of hardware: each is opened once, in a process of its own. [main]
+// Check of hardware drivers by swage doctor: each is opened once, in a process of its own. [main]
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace swage::tools {
 
 struct DeviceState {
   std::string id;
-  bool ready = false;        // it opened
+  bool ready = false;        // the device opened
   std::string text, remedy;  // remedy: "" when it is ready
-  std::string command;       // what to type, as far as one command mends it
+  std::string command;       // command to type, if one command is the remedy
 };
 
-/// Every device, with its defaults. The command is that which installs the plugin's udev rule, where it asks for it by the name
-/// "70-<id>.rules" (beside the plugin, or in share/swage/udev); else what it says in parentheses from "sudo" on.
+/// Opens every device with its defaults. The command installs the plugin's udev rule if the device's report names "70-<id>.rules"
+/// (beside the plugin, or in share/swage/udev); otherwise it is the text in parentheses that begins with "sudo".
 std::vector<DeviceState> ask_devices(const host::Catalogue& catalogue);
 
 }  // namespace swage::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device with a thread of its own, asked as the session asks it. Nobody is pushed: every force that it is sent is zero.
+// Test of a device with a thread of its own, called as the session calls it. Every commanded force is zero.
 #include <swage/abi/calibration.h>
 
 #include <algorithm>
@@ -26,15 +26,15 @@ constexpr uint32_t kKnownFlags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_FORCE | SW
 constexpr uint32_t kKnownBits = SWAGE_VALID_POSE | SWAGE_VALID_TWIST | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP |
                                 SWAGE_VALID_BUTTONS | SWAGE_VALID_DONE;
 constexpr int kExchanges = 300, kAfterPause = 30;
-constexpr int64_t kPause = 300'000'000;  // ns in which nobody asks, as while a machine is held up
-// s that one exchange may take: the session gives a hand up after 0.1 s without a sample, and a device after 2 s
+constexpr int64_t kPause = 300'000'000;  // ns without a call, as when the machine is busy
+// s, limits for one exchange: the session gives up a hand after 0.1 s without a sample, and a device after 2 s
 constexpr double kSlow = 0.1, kTooSlow = 1;
 
 class Driver {
  public:
   explicit Driver(host::DeviceSlot& slot) : slot_(slot), signals_(*slot.instance, signals_wrong_) {}
 
-  /// "" or what is wrong with the table itself.
+  /// "" or the fault of the table itself.
   std::string table() const {
     const swage_device& d = *slot_.device;
     if ((d.flags & ~kKnownFlags) != 0) return say::kUnknownFlags(d.flags & ~kKnownFlags);
@@ -52,10 +52,10 @@ class Driver {
     if (instance().quarantined.load() != 0 && said.empty() && result != SWAGE_ERROR)
       return {Mark::kFailed, host::quarantine_text(instance())};
     if (said.empty()) return {Mark::kFailed, say::kOpensNot()};
-    // hardware that is not here is no fault of the plugin
+    // missing hardware is no fault of the plugin
     return {Mark::kSkipped, say::kDidNotOpen(said[0].message)};
   }
-  /// Its calibration is JSON that the record can tell, or there is none.
+  /// Tests that the calibration is JSON which the record can keep, or absent.
   Finding calibration() {
     const auto* table = static_cast<const swage_device_calibration*>(instance().extension(SWAGE_EXT_CALIBRATION));
     if (table == nullptr) return {};
@@ -69,7 +69,7 @@ class Driver {
     host::detail::contained(instance(), host::Call::kClose, 0, [&] { slot_.device->close(instance().raw); });
   }
 
-  /// Exchanges on a thread of its own; "" or what was wrong.
+  /// Calls exchange() on a thread of its own; "" or the fault.
   std::string run(int times) {
     std::thread io([&] {
       const host::ScopedRole role(SWAGE_THREAD_IO);
@@ -114,7 +114,7 @@ class Driver {
     if (good && wrong_.empty()) listen();
   }
 
-  /// What it tells of itself is a number, or not known (NaN).
+  /// Tests that the device's signals are numbers or NaN (unknown).
   void listen() {
     if (signals_.count() == 0) return;
     double told[SWAGE_MOST_DEVICE_SIGNALS];

@@ -12,14 +12,15 @@
 #include "scene/view.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
+#include "tools/visual_test.hpp"
 
 namespace swage::tools {
 
 namespace {
 
-// contacts shown at once; a grasp has some ten, a needle that lies in a tray some three
+// numbers of contacts in a step; a grasp has about ten, a needle in a tray about three
 constexpr uint32_t kContacts[] = {0, 1, 3, 17, 64};
-// ties, tears and wounds that there is room for
+// ties that there is room for
 constexpr uint32_t kRoom = 64;
 
 swage_quat turn(base::Xoshiro256& random) {
@@ -32,7 +33,7 @@ swage_quat turn(base::Xoshiro256& random) {
   return {k * q[0], k * q[1], k * q[2], k * q[3]};
 }
 
-// --- a lesson: looks at everything, and says only what it has declared
+// --- a lesson: observes everything, and may use only declared outputs
 
 class Lesson final : public FuzzHarness {
  public:
@@ -94,7 +95,7 @@ class Lesson final : public FuzzHarness {
   swage_verdict verdict_{};
 };
 
-// --- a coupling: sees two objects and their contacts, changes the law of contact, tells events
+// --- a coupling: observes two objects and their contacts, changes contact laws, reports events
 
 class Coupling final : public FuzzHarness {
  public:
@@ -145,7 +146,7 @@ class Coupling final : public FuzzHarness {
  private:
   static host::Instance& instance_of(const Stepped& scene) { return *scene.rig->couplings.back().instance; }
 
-  // its links, solved by chance
+  // calls for its ties, which get random forces
   void ties(base::Xoshiro256& random, bool poisoned) {
     if (slot_.ties == nullptr) return;
     std::vector<swage_tie> tie(kRoom + 1);
@@ -176,24 +177,13 @@ class Coupling final : public FuzzHarness {
       if (!(x >= 0)) report_fault(say::kTieStiffness(format("%g", x)));
   }
 
-  // what it draws: torn places, and what is known of them
+  // what it draws on object b
   void draw(bool poisoned) {
-    if (poisoned) return;
-    uint32_t n = 0;
-    if (slot_.tears != nullptr) {
-      std::vector<swage_tear> tear(kRoom + 1);
-      call(host::Call::kTears, [&] { return slot_.tears->tears(slot_.instance->raw, &step_, kRoom, tear.data(), &n); });
-      if (n > kRoom) report_fault(say::kTooMany(n, "tears", kRoom));
-      for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-        if (!host::finite(&tear[i].a_W.x, 10)) report_fault(say::kTear());
-    }
-    if (slot_.wounds == nullptr) return;
-    std::vector<swage_wound> wound(kRoom + 1);
-    n = 0;
-    call(host::Call::kWounds, [&] { return slot_.wounds->wounds(slot_.instance->raw, &step_, kRoom, wound.data(), &n); });
-    if (n > kRoom) report_fault(say::kTooMany(n, "wounds", kRoom));
-    for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-      if (!host::finite(&wound[i].p_W.x, 8)) report_fault(say::kWound());
+    if (poisoned || slot_.visuals == nullptr) return;
+    const auto ask = [&](uint32_t capacity, swage_visual* out, uint32_t* n) {
+      return call(host::Call::kDraw, [&] { return slot_.visuals->draw(slot_.instance->raw, nullptr, &step_, capacity, out, n); });
+    };
+    if (const std::string wrong = visuals(ask, rig().objects[slot_.object_b].body.count, world_); !wrong.empty()) report_fault(wrong);
   }
   static bool sensible(const swage_contact& c) {
     return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
@@ -236,7 +226,7 @@ class Coupling final : public FuzzHarness {
     return c;
   }
 
-  // forces from none to a hundred times what breaks a needle
+  // gives a contact a force from 0 to a hundred times that which breaks a needle
   static void push(swage_contact& c, base::Xoshiro256& random, bool poisoned) {
     constexpr double kForce[] = {0, 1e-12, 1e-3, 1, 1e3};  // N
     const double f = poisoned ? poison(random) : kForce[random() % std::size(kForce)];
@@ -314,7 +304,7 @@ void FuzzHarness::step(uint64_t number, bool poisoned) {
   hash_ = said_.value();
 }
 
-// a world in which nothing belongs together; what the objects remember stays as they left it
+// fills the world with unrelated random values; the private state of the objects is kept
 void FuzzHarness::show(base::Xoshiro256& random) {
   for (std::size_t i = 0; i < world_.X_WB.size(); ++i) {
     world_.X_WB[i] = {{wild(random), wild(random), wild(random)}, turn(random)};
@@ -352,7 +342,7 @@ std::vector<uint64_t> look(FuzzHarness& harness, uint64_t from, uint64_t to) {
   return hashes;
 }
 
-// goes aside to other steps and comes back; then the same steps again
+// true when the same steps give the same hashes after other steps and a restore
 bool rewinds(FuzzHarness& harness, const std::vector<uint64_t>& first) {
   harness.reset();
   look(harness, 0, kFrom);
@@ -384,7 +374,7 @@ host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
     return failed(say::kShares());
   if (!rewinds(*one, first))
     return failed(say::kRemembers());
-  // what no host sends must neither throw nor outlive a reset
+  // values that no host sends must cause no exception and leave no trace after a reset
   one->reset();
   for (uint64_t i = 0; i < 200; ++i) one->step(kElsewhere + i, true);
   one->reset();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A plugin that only looks (a lesson, a coupling), called as the step calls it, but shown a world of random values. What it is shown
-// in a step follows from the seed and the number of the step alone, so that the same steps can be repeated. [main]
+// Fuzz harness for a plugin that only observes (a lesson, a coupling): calls it as the step does, in a world of random values. The values
+// of a step follow from the seed and the number of the step alone, so that the same steps can be repeated. [main]
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace swage::tools {
 
 class FuzzHarness {
  public:
-  /// Everything that the host saves.
+  /// The state that the host saves.
   struct Image {
     scene::World world;
     std::vector<uint64_t> random;
@@ -27,14 +27,14 @@ class FuzzHarness {
   FuzzHarness& operator=(const FuzzHarness&) = delete;
 
   void reset();
-  /// Shows step `number`; `poisoned`: with numbers that the host never sends (NaN, infinite), to see what stays of them.
+  /// Runs step `number`; `poisoned`: with values that the host never sends (NaN, infinite), to test that they leave no trace.
   void step(uint64_t number, bool poisoned = false);
   Image save() const { return {world_, rig().world.random}; }
   void restore(const Image& image);
 
-  /// Of what it said in the last step and of what it remembers.
+  /// Hash of the outputs of the last step and of the private state.
   uint64_t hash() const { return hash_; }
-  /// "" or its first fault.
+  /// The first fault, or "".
   const std::string& fault() const { return fault_; }
   uint64_t allocations() const { return allocations_; }  // in its functions of the step
 
@@ -46,14 +46,14 @@ class FuzzHarness {
   virtual void on_step(base::Xoshiro256& random, bool poisoned) = 0;
 
   host::Rig& rig() const { return *scene_->rig; }
-  /// Calls the plugin and says whether it behaved.
+  /// Calls the plugin; false with a fault reported.
   template <class F>
   bool call(host::Call which, F&& f);
   /// A finite number of any size that a scene can have, often 0.
   static double wild(base::Xoshiro256& random);
   void report_fault(const std::string& what);
 
-  scene::World world_;                   // what it is shown; its own state lies in it too
+  scene::World world_;                   // fuzz values, and the plugin's private state
   std::vector<swage_object_step> view_;  // of each object, into world_
   base::Hash said_;
 
@@ -69,10 +69,10 @@ class FuzzHarness {
   std::string fault_;
 };
 
-/// The plugin under test in a scene of its own; nullptr with `error` when there is none, or when it does not only look.
+/// The plugin under test in a scene of its own; nullptr with `error` when there is no scene, or when it does more than observe.
 std::unique_ptr<FuzzHarness> make_fuzz_harness(const TestScene& scene, uint64_t seed, std::string& error);
 
-/// The test `fuzz_values` of the validator: whatever it sees it behaves, remembers only what the host saves, forgets at a reset.
+/// The test `fuzz_values` of the validator: no fault for any values, no state besides that which the host saves, none after a reset.
 host::Finding fuzz_values(const TestScene& scene, uint64_t seed);
 
 }  // namespace swage::tools

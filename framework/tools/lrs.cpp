@@ -11,7 +11,7 @@ namespace swage::tools {
 namespace {
 
 constexpr long kConnect_s = 10, kAll_s = 60;
-constexpr std::size_t kMostAnswer = 2000;  // of what the other side says, for the sentence
+constexpr std::size_t kMostAnswer = 2000;  // bytes of the server's answer that go into the message
 
 std::size_t take_answer(char* data, std::size_t size, std::size_t n, void* to) {
   auto& text = *static_cast<std::string*>(to);
@@ -25,7 +25,7 @@ bool starts_with_any(const std::string& text, std::initializer_list<const char*>
   return false;
 }
 
-// curl sets itself up once for the program
+// sets up curl once in the program
 void set_up() {
   static const CURLcode done = curl_global_init(CURL_GLOBAL_DEFAULT);
   static_cast<void>(done);
@@ -37,7 +37,7 @@ std::string problem_of(const LrsAddress& a) {
   if (a.url.find_first_of(" \t\n\r") != std::string::npos || a.url.find('@') != std::string::npos)
     return say::kNoAddress(a.url);
   if (starts_with_any(a.url, {"https://"})) return "";
-  // records of people are encrypted where they leave the machine
+  // records of people leave the machine only encrypted
   if (starts_with_any(a.url, {"http://127.0.0.1:", "http://127.0.0.1/", "http://localhost:", "http://localhost/"})) return "";
   return say::kNotEncrypted(a.url);
 }

@@ -24,7 +24,7 @@ namespace {
 
 using namespace swage::tools;
 
-// everything that may stand on the command line
+// all options of the command line
 struct Arguments {
   RunOptions run;
   StudyOptions study;
@@ -312,7 +312,7 @@ void add_calibrate(CLI::App& app, Arguments& a) {
   common(show, calibrate_show);
 }
 
-// CLI11 calls a wrong verb an unexpected argument; say what was meant instead
+// CLI11 reports a wrong verb as an unexpected argument; reports it as a wrong verb, with the nearest one
 bool wrong_verb(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> verbs;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -352,7 +352,7 @@ int parse_and_run(int argc, char** argv) {
   return a.chosen();
 }
 
-// A file that is opened while 0, 1 or 2 is closed would get that number, and be written over by what is meant for a terminal.
+// Opens /dev/null for closed standard streams: a file opened later would get number 0, 1 or 2 and be overwritten by output.
 void occupy_standard_streams() {
   int file = open("/dev/null", O_RDWR);
   while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
@@ -363,9 +363,9 @@ void occupy_standard_streams() {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
+  // a file above the process's size limit is then reported as an error of that file and does not end the program
   signal(SIGXFSZ, SIG_IGN);
-  // numbers are written with a point, whatever a plugin makes of the locale of the process
+  // numbers are written with a decimal point, even if a plugin changes the locale of the process
   uselocale(newlocale(LC_ALL_MASK, "C", nullptr));
   try {
     return swage::session::end_program(parse_and_run(argc, argv));

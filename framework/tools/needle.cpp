@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// All files of the library, by name. False: a problem was told.
+/// Reads all files of the library, sorted by name. False with the problem printed.
 bool read_library(std::vector<NeedleModel>& out) {
   std::vector<std::string> searched;
   const std::string folder = data_folder("needles", searched);
@@ -57,7 +57,7 @@ Json to_json(const NeedleModel& n) {
           {"values_assumed", n.assumed}};
 }
 
-/// A file as it is, a model of the library by its name or by the end of its name: "100" is not one, "micro_100" is.
+/// Finds a model: a file by its path, or a model of the library by its file name, with or without .json. False with the problem printed.
 bool find_model(const std::string& wanted, NeedleModel& out) {
   std::error_code ignored;
   if (fs::is_regular_file(wanted, ignored)) {

@@ -16,8 +16,8 @@ using toolkit::StripSection;
 using toolkit::WireArm;
 using toolkit::WireMaterial;
 
-constexpr int kFineCells = 60, kStrips = 60;  // of the reference: see the tests for what is left
-constexpr int kSteps = 60;                    // of a test
+constexpr int kFineCells = 60, kStrips = 60;  // of the reference; the tests state the remaining error
+constexpr int kSteps = 60;                    // load steps of a test
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kProbe = 1e-3;  // N, well within elasticity
 
@@ -29,12 +29,12 @@ WireArm<JointSection> loop_arm(const NeedleModel& n, double length, int cells) {
                                             JointSection(n.diameter, n.material, length / cells))};
 }
 
-/// What one arm says.
+/// Results of the bending test of one arm.
 struct Bent {
   double deflection = 0;  // m under kProbe
   double yield = 0;       // N m at the clamp when its outer fibre yields
   double most = 0;        // N m at a right angle
-  double back = 0;        // rad, turn of the end that goes with the force
+  double back = 0;        // rad, elastic springback of the end on release
 };
 
 template <class Section>
@@ -43,7 +43,7 @@ Bent bend(WireArm<Section> arm, const NeedleModel& n) {
   arm.push(kProbe);
   out.deflection = arm.deflection();
   arm.push(0);
-  // the first fibre yields between two steps: by the share of the step
+  // the first fibre yields between two steps: linear interpolation
   const double to = toolkit::yield_moment(n.diameter, n.material.yield) /
                     toolkit::bending_stiffness(n.diameter, n.material.youngs);
   double before = 0, moment_before = 0;
@@ -63,7 +63,7 @@ Bent bend(WireArm<Section> arm, const NeedleModel& n) {
 }
 
 /// Force between flat jaws of a width at which the wire yields: three-point bending, two arms of half the width. `yield`: N m.
-/// The loop knows the moment at the contacts by statics, however coarse its joints are; strips tell what they bear.
+/// The joint model has the moment at the contacts by statics, at any coarseness; for strips the outer fibre decides.
 template <class Section>
 double squeeze(WireArm<Section> arm, double yield) {
   const auto yields = [&](const WireArm<Section>& a) {
@@ -84,7 +84,7 @@ double squeeze(WireArm<Section> arm, double yield) {
   return high;
 }
 
-/// Right-angled bends and back over 1 mm, until the wire has strained as much as it bears; counted with their fraction.
+/// Number of bends by a right angle over 1 mm and back until the wire reaches its strain at break; with a fraction.
 template <class Section>
 double ductility(Section section, const WireMaterial& m, double diameter) {
   constexpr double kOver = 1e-3;  // m

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage new: a plugin or lesson of one's own, from a template.
+// swage new: creates a plugin or lesson from a template.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -36,7 +36,7 @@ bool is_id(const std::string& id) {
   return count >= 2 && id.back() != '.';
 }
 
-// what may stand behind "class"
+// true for a name that can follow "class"
 bool is_class_name(const std::string& name) {
   return !name.empty() && std::isupper(static_cast<unsigned char>(name[0])) != 0 &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
@@ -65,7 +65,7 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// every file of the template, tokens replaced in its name and its text
+// copies every file of the template, with the tokens replaced in its name and its text
 bool copy(const fs::path& from, const fs::path& to, const Tokens& tokens, std::vector<std::string>& made) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(from))

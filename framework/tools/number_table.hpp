@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables of numbers as people write them: rows of numbers between commas, semicolons, tabs or spaces; # begins a remark. [main]
+// Tables of numbers in text files: rows of numbers separated by commas, semicolons, tabs or spaces; # begins a comment. [main]
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace swage::tools {
 
-/// One row; false when a word of it is no number.
+/// Reads one row; false when a word is not a number.
 bool read_numbers(const std::string& text, std::vector<double>& out);
-/// Every row has so many numbers; a first row of words is a heading. "" or file, line and what is wrong.
+/// Reads a table of rows with `columns` numbers; a first row of words is a heading. "" or file, line and fault.
 std::string read_number_table(const std::string& path, std::size_t columns, std::vector<std::vector<double>>& out);
 
 }  // namespace swage::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage people: who trains here.
+// swage people: the trainees and their groups.
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// adding somebody may make the store
+// creates a missing store, to add a person
 std::unique_ptr<record::School> open(const std::string& store) {
   std::string error;
   auto school = record::School::open(store_place(store), error);
@@ -49,7 +49,7 @@ std::string group_name(const std::vector<record::Group>& groups, const std::stri
   return "";
 }
 
-// the group of that name, made when there is none; false once told
+// finds the group of that name or creates it; false with the reason printed
 bool find_group(record::School& school, const std::string& name, std::string& id) {
   for (const record::Group& g : school.groups())
     if (g.name == name) return id = g.id, true;
@@ -187,7 +187,7 @@ int erase_person(const PeopleOptions& o) {
   if (!school || !find(*school, o.who, p)) return kProblem;
   if (o.confirm != p.name && o.confirm != p.code)
     return problem(say::kFinal(p.name, p.attempts, p.name));
-  // files first: while the person is in the store, this can be repeated
+  // files first: if that fails, it can be repeated while the person is in the store
   Json files = Json::array();
   bool all = true;
   for (const record::ExportedFile& e : school->exported_files(p.id)) {

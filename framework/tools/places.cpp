@@ -46,7 +46,7 @@ std::string data_folder(const std::string& name, std::vector<std::string>& searc
     return fs::is_directory(folder, ignored);
   };
   if (look(here.parent_path() / "share/swage" / name)) return searched.back();
-  // a build tree lies two or three folders below its sources
+  // a build folder is two or three levels below its source tree
   fs::path up = here;
   for (int i = 0; i < 4 && up.has_relative_path(); ++i, up = up.parent_path())
     if (look(up / "resources" / name) || look(up / name)) return searched.back();

@@ -17,7 +17,7 @@ namespace swage::tools {
 
 namespace {
 
-constexpr std::size_t kMostShown = 4000;  // bytes of a place and of a sentence: lists of all parameters have some hundred
+constexpr std::size_t kMostShown = 4000;  // bytes of a place and of a message; a list of all parameters has a few hundred
 
 const char* text(base::Severity severity) {
   switch (severity) {
@@ -36,7 +36,7 @@ const char* text(base::Severity severity) {
 std::string printable(const std::string& text) { return base::printable(text); }
 
 void tell(base::Severity severity, const std::string& where, const std::string& message) {
-  // results first, when both go to one terminal
+  // flushes results first, if both go to one terminal
   std::fflush(stdout);
   const char* between = where.empty() ? "" : ": ";
   const auto shown = [](const std::string& s) { return base::printable(base::shortened(s, kMostShown)); };
@@ -58,7 +58,7 @@ int problem(const std::string& message) {
 
 void print(const nlohmann::ordered_json& json) {
   using Json = nlohmann::ordered_json;
-  // JSON itself writes C0 as \\u001b; line ends of the layout stay
+  // JSON escapes C0 characters itself, as \\u001b; line ends of the layout stay
   std::printf("%s\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)).c_str());
 }
 

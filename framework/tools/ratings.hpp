@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An attempt on the rating scales of surgeons, for the verbs that tell of attempts. [main]
+// Ratings of an attempt on published scales of surgeons, for the verbs that report attempts. [main]
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,11 +11,11 @@
 
 namespace swage::tools {
 
-/// [{"id", "title", "source", "lowest", "highest", "mean", "items": [{"id", "title", "points"}]}], null for what the attempt does not
-/// decide. Empty for an attempt that did not end by itself, and where no scales are installed.
+/// [{"id", "title", "source", "lowest", "highest", "mean", "items": [{"id", "title", "points"}]}], null for a rating that the attempt
+/// does not determine. Empty for an attempt that was stopped from outside, and where no scales are installed.
 nlohmann::ordered_json ratings_json(judge::Outcome outcome, judge::Metrics metrics);
 
-/// A line for each scale of which something is decided: "  SMaRT: 4.6 of 5 over 6 of 9 items". "" where there is none.
+/// A line for each scale with at least one rating: "  SMaRT: 4.6 of 5 over 6 of 9 items". "" where there is none.
 std::string ratings_text(judge::Outcome outcome, judge::Metrics metrics);
 
 }  // namespace swage::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage replay: steps a kept attempt again and compares every hash.
+// swage replay: steps a stored attempt again and compares every hash.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@
 namespace swage::tools {
 namespace {
 
-// from a file that was exported, else from the store
+// loads an attempt from an exported file or from the store
 bool load(const ReplayOptions& o, record::Recording& out, std::string& id, std::string& error) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(o.what, ignored))
@@ -34,7 +34,7 @@ bool load(const ReplayOptions& o, record::Recording& out, std::string& id, std::
   return record::read_recording(where, row.id, out, error);
 }
 
-// "" when every step is there from the first on
+// "" when the recording has every step from the first on
 std::string gap_text(const record::Recording& recording) {
   for (std::size_t i = 1; i < recording.step.size(); ++i) {
     const uint64_t expected = recording.step[i - 1] + 1;
@@ -44,7 +44,7 @@ std::string gap_text(const record::Recording& recording) {
   return recording.step.empty() ? say::kNoSteps() : "";
 }
 
-// What was said then and what the lesson says now, one below the other.
+// Prints the stored verdict and the verdict of the lesson now, one below the other.
 void print_grade(const record::AttemptRow& then, const record::Grade& now) {
   std::printf("%s  %s  %s\n", printable(then.id).c_str(), printable(then.lesson_id).c_str(),
               now.identical ? "the same bits" : "OTHER BITS: the scene went another way than then");
@@ -64,7 +64,7 @@ record::Grade grade_of(const record::AttemptRow& then, const session::Replay& no
   g.attempt_id = then.id;
   g.plugins = now.plugins;
   g.identical = now.identical;
-  // who ended it from outside, a time limit or a person, is not judged again
+  // an attempt that a time limit or a person stopped from outside keeps its outcome
   const bool open = now.verdict.outcome == judge::Outcome::kRunning;
   g.outcome = open ? then.outcome : judge::text(now.verdict.outcome);
   g.reason = open ? then.reason : now.verdict.reason;
@@ -75,7 +75,7 @@ record::Grade grade_of(const record::AttemptRow& then, const session::Replay& no
 }
 
 bool same_verdict(const record::AttemptRow& then, const record::Grade& now) {
-  // stored scores and metrics are doubles: what is judged the same is the same to the last bit but for text
+  // tolerance for the rounding of numbers stored as text; otherwise equal verdicts are equal to the last bit
   if (then.outcome != now.outcome || std::abs(then.score - now.score) > 1e-9) return false;
   for (const record::MetricValue& m : then.metrics)
     for (const record::MetricValue& n : now.metrics)
@@ -119,7 +119,7 @@ Judged grade_one(record::Store& store, const std::string& where, const ReplayOpt
   return same ? Judged::kSame : Judged::kOther;
 }
 
-// 0: every verdict is as it was; 1: some differ; 2: some could not be judged
+// exit code: 0, every verdict is unchanged; 1, some differ; 2, some could not be judged
 int grade(const ReplayOptions& o) {
   const std::string where = store_place(o.store);
   std::string error;

@@ -33,8 +33,8 @@ using Json = nlohmann::ordered_json;
 std::atomic<int> interrupts{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch nothing else");
 
-// Whoever interrupts a group of processes often reaches one of them twice (a terminal and timeout(1) both do), so the second
-// signal must not cost the attempt. The third one ends the program whatever it is doing.
+// Interrupting a group of processes often reaches a process twice (from a terminal and from timeout(1) alike), so the second
+// signal must not lose the attempt. The third one ends the program in any state.
 void on_signal(int number) {
   constexpr char kPatience[] =
       "The attempt is being kept. Interrupt once more to end at once; it is then recovered at the next "
@@ -47,7 +47,7 @@ void on_signal(int number) {
   raise(number);
 }
 
-// From before the attempt is made until it is kept, Ctrl-C and kill end the attempt and not the program.
+// While an object of this class exists, Ctrl-C and kill end the attempt, which is then stored, and not the program.
 class Interruptible {
  public:
   Interruptible() {
@@ -69,7 +69,7 @@ class Interruptible {
   }, old_term_{};
 };
 
-// the window takes over with the same wishes; returns when there is none
+// replaces this program by the console with the same options; returns when there is no console
 void open_window(const RunOptions& o) {
   const std::string console = beside("swage-console");
   if (console.empty() || !has_display()) {
@@ -90,7 +90,7 @@ void open_window(const RunOptions& o) {
   tell(base::Severity::kWarning, console, say::kNoWindow());
 }
 
-// without a window nobody can move a pointer: such an attempt would never end
+// true, with an error printed, for a pointer device without a time limit: headless, such an attempt would never end
 bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
   if (o.max_time_s > 0) return false;
   const auto mouse = std::find_if(card.devices.begin(), card.devices.end(),
@@ -108,7 +108,7 @@ bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
   return true;
 }
 
-// once: without a window nobody sees that the lesson waits
+// reports once that the lesson waits for a lost hand, which only the console shows otherwise
 void tell_of_lost_hand(const session::Session& session, bool& told) {
   static snapshot::Snapshot now;  // large
   if (told || !session.latest(now) || now.paused == 0) return;
@@ -225,7 +225,7 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
   print(out);
 }
 
-// every signal of every step, from the record
+// prints the problems of a run that was refused
 int refused(const RunOptions& o, const base::Problems& problems) {
   tell(problems);
   if (o.json) print({{"problems", to_json(problems)}});

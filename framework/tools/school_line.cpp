@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The command line of the verbs about people, courses and what is said about attempts.
+// Command line of the verbs about people, courses and notes on attempts.
 #include <CLI/CLI.hpp>
 
 #include "tools/school_verbs.hpp"
@@ -17,7 +17,7 @@ struct Options {
   StationsOptions stations;
 };
 
-// they live as long as the program: the command line fills them after this file has returned
+// static, because the command line is parsed after add_school_verbs() has returned
 Options& options() {
   static Options all;
   return all;

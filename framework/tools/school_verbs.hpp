@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Verbs about people, courses and what is said about attempts: people, courses, stations, and attempts void, name, note, export. [main]
+// Verbs about people, courses and notes on attempts: people, courses, stations, and attempts void, name, note, export. [main]
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ int make_synthetic_school(const SyntheticOptions&);
 struct CourseOptions {
   std::string store, course, file, person, group, experts, due;
   std::vector<std::string> plugin_dirs;
-  uint32_t attempts = 30;  // that a simulated trainee makes
+  uint32_t attempts = 30;  // of each simulated trainee
   bool json = false, back = false;
 };
 int list_courses(const CourseOptions&);
@@ -60,31 +60,31 @@ struct AttemptWords {
 int void_attempt(const AttemptWords&);
 int name_attempt(const AttemptWords&);
 int note_attempt(const AttemptWords&);
-/// One attempt or all of them, in the form that `as` says.
+/// Exports one attempt or all, in the format `as`.
 int export_attempts(const AttemptWords&);
 
 struct SendOptions {
   std::string store, to, home, login_file, receipts;
   bool json = false;
 };
-/// Statements of all attempts of people that have not arrived yet, to a Learning Record Store.
+/// Sends the statements of all attempts of people that were not sent yet to a Learning Record Store.
 int send_attempts(const SendOptions&);
 
 struct StationsOptions {
   std::string store;
   bool json = false;
 };
-/// What every station of the school does now.
+/// Lists the present state of every station of the school.
 int list_stations(const StationsOptions&);
 
-/// Every signal and every input of each step; a file `<file>.about.json` says whose numbers they are.
+/// Writes every signal and input of each step as CSV; `<file>.about.json` describes the attempt and the columns.
 bool write_trace(const std::string& file, const std::string& store, const std::string& attempt_id);
-/// Said when the user gives no name: who runs the program.
+/// Name of the account that runs the program, for a user who gives none.
 std::string user_name();
-/// The school of a store that is there already; nullptr once the reason was told.
+/// The school of an existing store; nullptr with the reason printed.
 std::unique_ptr<record::School> existing_school(const std::string& where);
 
-/// Puts the verbs on the command line; below "attempts", which must be there, too.
+/// Adds the verbs to the command line, some below "attempts", which must exist.
 void add_school_verbs(CLI::App& app, std::function<int()>& chosen);
 
 }  // namespace swage::tools

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage attempts send: every attempt that has ended, once, to a Learning Record Store. The store is the queue: what could not be sent is
-// sent the next time, and a file of receipts says what has arrived.
+// swage attempts send: sends every finished attempt once to a Learning Record Store. The store is the queue: unsent statements follow
+// the next time; a file of receipts lists those that have arrived.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kAtOnce = 50;                           // statements in a request: under a megabyte
 constexpr std::size_t kMostReceipts = std::size_t{256} << 20;  // five million
 
-/// What has arrived, a line per statement: its id. Appended to after each answer.
+/// Receipts: ids of the statements that have arrived, one per line. Appended to after each answer.
 class Receipts {
  public:
   Receipts(std::string path, const std::string& address) : path_(std::move(path)), address_(address) {
@@ -41,7 +41,7 @@ class Receipts {
   bool add(const std::vector<std::string>& ids) {
     std::error_code none;
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), none);
-    // a line that a kill has torn goes first
+    // removes a last line that a kill has left incomplete
     if (std::filesystem::exists(path_, none) && std::filesystem::file_size(path_, none) > whole_) std::filesystem::resize_file(path_, whole_, none);
     std::ofstream file(path_, std::ios::binary | std::ios::app);
     for (const std::string& id : ids) {
@@ -62,13 +62,13 @@ class Receipts {
 
 struct Sent {
   std::size_t kept = 0, waiting = 0, refused = 0;
-  std::string why;  // something waits or was refused
+  std::string why;  // reason for statements that wait or were refused
 };
 
-// the same id with other content is there: it was voided or named since, and a statement cannot be changed
+// a conflict counts as arrived: the attempt was voided or named since it was sent, and a sent statement cannot be changed
 bool arrived(const LrsAnswer& a) { return a.kept() || a.conflict(); }
 
-// A batch that is refused is sent one by one: one bad statement holds nobody else back.
+// Statements of a refused batch are sent one by one, so that one bad statement does not hold back the others.
 bool send_batch(const LrsAddress& to, const std::vector<nlohmann::json>& batch, Receipts& receipts, Sent& sent) {
   const auto id = [](const nlohmann::json& s) { return s.at("id").get<std::string>(); };
   std::vector<std::string> ids;
@@ -110,7 +110,7 @@ int send_attempts(const SendOptions& o) {
   const std::string where = store_place(o.store);
   std::vector<record::Exported> list;
   if (!existing_store(where, error) || !record::read_for_export(where, {}, list, error)) return problem(error);
-  // recorded hands and drawn numbers are nobody's record
+  // attempts of scripted hands and synthetic attempts belong to no person's record
   std::erase_if(list, [](const record::Exported& e) {
     return e.attempt.is_scripted || e.attempt.is_synthetic || e.attempt.state == "running";
   });
@@ -130,7 +130,7 @@ int send_attempts(const SendOptions& o) {
   progress("");
   sent.waiting = queue.size() - sent.kept - sent.refused;
   if (sent.kept > 0) {
-    // whoever erases a person is told that their statements are there, too
+    // the export is listed, so that erasing a person reports that statements were sent
     std::set<std::string> people;
     for (const record::Exported& e : list) people.insert(e.attempt.person_id);
     if (const auto school = record::School::open(where, error)) school->log_export({people.begin(), people.end()}, "lrs", o.to);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that the verbs tell of what they were asked and could not do, and what the tests of a plugin find. Tests name them, and never repeat their words.
+// Messages of the verbs about failures, and findings of the tests of a plugin. Tests refer to the constants and do not repeat the text.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -9,11 +9,11 @@ namespace swage::tools::say {
 
 using base::operator""_sentence;
 
-// how a verb is called
+// the command line
 inline constexpr auto kSayVerb = "Say what {} shall do."_sentence;
 inline constexpr auto kNoVerb = "{} has no verb \"{}\".{}"_sentence;  // third: "did you mean"
 inline constexpr auto kVerbs = " It has: {}. See: swage --help"_sentence;
-inline constexpr auto kSeeHelp = "{}. See: swage {}--help"_sentence;  // what the reader of the command line says, then "run "
+inline constexpr auto kSeeHelp = "{}. See: swage {}--help"_sentence;  // message of the command line parser, then "run "
 inline constexpr auto kNoTime = "{} is not a time above 0"_sentence;
 inline constexpr auto kUnexpected = "{} (this should not happen: please report it)"_sentence;
 
@@ -129,7 +129,7 @@ inline constexpr auto kTemplateGone = "The template of a new {} is not installed
 inline constexpr auto kNotEmpty = "{} is there already and not empty. Choose another folder with --dir."_sentence;
 inline constexpr auto kNoPlace = "{} cannot be written. Choose a folder that you may write to with --dir."_sentence;
 
-// swage doctor: what it finds, and what to do about it
+// swage doctor: findings and remedies
 inline constexpr auto kWithoutWindow = "no display: lessons run without a window"_sentence;
 inline constexpr auto kStartDesktop = "Start it from a desktop, or under xvfb-run."_sentence;
 inline constexpr auto kWillBeMade = "{} will be made with the first attempt"_sentence;
@@ -206,7 +206,7 @@ inline constexpr auto kNoPair = "No two installed objects can be bound by it wit
 inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. Say --plugin-dir, where its objects are, or --with and a lesson file that uses it. {}"_sentence;
 inline constexpr auto kRefusedSilently = "It was refused without a reason."_sentence;
 
-// what lessons and couplings do with values in which nothing belongs together
+// faults of lessons and couplings with fuzz values
 inline constexpr auto kInStep = "{} {} in step {}."_sentence;  // a plugin, what it did
 inline constexpr auto kScore = "gave a score of {}; it goes from 0 to 100"_sentence;
 inline constexpr auto kFailedSilently = "failed an attempt without a reason"_sentence;
@@ -214,12 +214,10 @@ inline constexpr auto kUndeclared = "said {} {}; it has declared {}"_sentence;
 inline constexpr auto kSaidNotFinite = "said a number that is not finite for {} {}"_sentence;
 inline constexpr auto kContact = "left a contact with friction {}, stiffness {} N/m, restitution {}"_sentence;
 inline constexpr auto kSignalNotFinite = "wrote a signal that is not finite"_sentence;
-inline constexpr auto kTooMany = "gave {} {} where there is room for {}"_sentence;  // ties, tears, wounds
+inline constexpr auto kTooMany = "gave {} {} where there is room for {}"_sentence;  // ties
 inline constexpr auto kTiePlace = "gave a tie with a place or axis that is none"_sentence;
 inline constexpr auto kTieBody = "gave a tie to a body that is not there"_sentence;
 inline constexpr auto kTieStiffness = "gave a tie with a stiffness or strength of {}"_sentence;
-inline constexpr auto kTear = "gave a tear that is no number"_sentence;
-inline constexpr auto kWound = "gave a wound that is no number"_sentence;
 inline constexpr auto kMainThread = "called the host {} times from the step with what belongs on the main thread"_sentence;
 inline constexpr auto kDoesMore = "It does more than look."_sentence;
 inline constexpr auto kAllocates = "It allocated memory {} times in {} steps; nothing on [rt] may."_sentence;
@@ -229,7 +227,7 @@ inline constexpr auto kRemembers =
     "After restoring its state it says other things about the same steps: it remembers something outside of its declared state."_sentence;
 inline constexpr auto kPoisoned = "A number that is not finite stays in it after a reset."_sentence;
 
-// what solvers answer
+// faults of solvers
 inline constexpr auto kOtherBits = "{}() gives other bits when it is asked the same again."_sentence;
 inline constexpr auto kUnwritten = "mobility() for {} points leaves a number unwritten, or writes one that is not finite."_sentence;
 inline constexpr auto kSkew = "mobility() is not symmetric: entries differ by {} of {} m/s per N s."_sentence;
@@ -249,11 +247,22 @@ inline constexpr auto kImpulsesNotFinite = "apply_impulses() leaves a speed that
 inline constexpr auto kNotCompared = "Motion after impulses was not compared: its surface does not move with its bodies."_sentence;
 inline constexpr auto kImpulsesOff = "After apply_impulses() the points do not move as v_free + W j says: {} m/s off, of a change of {} m/s."_sentence;
 inline constexpr auto kImpulsesSlip = "After apply_impulses() without impulses the points do not move as v_free says: {} m/s off."_sentence;
-inline constexpr auto kManyDents = "dents() writes {} dents where there is room for {}."_sentence;
-inline constexpr auto kDent = "dents() gives a dent that is no number, or no radius."_sentence;
+
+// what is drawn beside shapes
+inline constexpr auto kManyVisuals = "draw() writes {} primitives where there is room for {}"_sentence;
+inline constexpr auto kVisualBeyond = "draw() writes beyond the {} primitives that there is room for"_sentence;
+inline constexpr auto kVisualKind = "draw() gives a primitive of kind {} and tone {}, which nobody knows"_sentence;
+inline constexpr auto kVisualBody = "draw() gives a primitive on body {}, and its object has {}"_sentence;
+inline constexpr auto kVisualNumber = "draw() gives a primitive with a number that is not finite, or a place that is nowhere"_sentence;
+inline constexpr auto kVisualSize = "draw() gives a primitive with a radius of {} m"_sentence;
+inline constexpr auto kVisualStrength = "draw() gives a primitive with a strength of {}; it goes from 0 to 1"_sentence;
+inline constexpr auto kVisualMeddles = "draw() changes the scene; it may only look"_sentence;
+inline constexpr auto kVisualOther = "draw() gives other bits when it is asked the same again"_sentence;
+
+// of a solver, once more
 inline constexpr auto kNoSolver = "It has no solver of its own."_sentence;
 
-// what traits answer
+// faults of traits
 inline constexpr auto kGaps = "The table of {} has gaps."_sentence;
 inline constexpr auto kOfCall = "{}() {}"_sentence;  // one of the next
 inline constexpr auto kPlaceRange = "gives a place s outside of 0 to 1."_sentence;
@@ -278,11 +287,11 @@ inline constexpr auto kNoStrand = "It can be cut, but has no trait {} that says 
 inline constexpr auto kNoFunctions = "Its traits have no functions."_sentence;
 inline constexpr auto kNoBody = "names a body that it has not declared."_sentence;
 
-// what devices that see answer
+// faults of devices that observe the scene
 inline constexpr auto kNoSight = "It does not see the scene."_sentence;
 inline constexpr auto kSeesOtherwise = "A second instance that sees the same scene answers otherwise: it depends on more than it is shown."_sentence;
 
-// what drivers answer
+// faults of drivers
 inline constexpr auto kInfinite = "What it tells of itself is infinite."_sentence;
 inline constexpr auto kUnknownFlags = "It has unknown flags ({})."_sentence;
 inline constexpr auto kNoRate = "Its rate of {} Hz is none."_sentence;
@@ -311,7 +320,7 @@ inline constexpr auto kMeasurements = "{} measurements; the longest exchange too
 inline constexpr auto kIdentical = "identical {} steps ({} s)"_sentence;
 inline constexpr auto kDiffers = "differs from step {} on ({} s)"_sentence;
 
-// swage calibrate: what it is told; sentences of sensors and fits are in sensor/sentences.hpp
+// swage calibrate: the command line; messages of sensors and fits are in sensor/sentences.hpp
 inline constexpr auto kSayWho = "Say who calibrates, with --by."_sentence;
 inline constexpr auto kWhoseTable = "Say whose table this is: the sensor's serial number with --serial."_sentence;
 inline constexpr auto kCannotName = "\"{}\" cannot name a file. Give a serial number of letters, digits, - _ and . with --serial."_sentence;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device that sees (abi/sight.h) is shown its scene as the engine shows it, and then scenes with every body elsewhere. It is judged
-// by its samples, as a replay repeats these and shows no scene.
+// Test of a device that observes the scene (abi/sight.h), in its own scene and in scenes with every body moved. Its samples are
+// tested, as a replay repeats the samples and shows no scene.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -20,10 +20,10 @@ namespace {
 using host::Finding;
 using host::Mark;
 
-constexpr uint64_t kSightSteps = 500;     // of its own scene
-constexpr uint64_t kLooks = 500;          // of scenes with every body elsewhere
+constexpr uint64_t kSightSteps = 500;     // in its own scene
+constexpr uint64_t kLooks = 500;          // in scenes with every body moved
 
-/// "" or what is wrong with a sample of a device that is asked in the step.
+/// "" or the fault of a sample of a LOCKSTEP device.
 std::string sample_fault(const swage_sample& s, const swage_sample& last) {
   if (!host::finite(&s.time_s, 16)) return say::kSampleNotFinite();
   const swage_quat& q = s.pose.q;
@@ -34,7 +34,7 @@ std::string sample_fault(const swage_sample& s, const swage_sample& last) {
   return "";
 }
 
-/// Stands between the engine and the device, and judges each sample.
+/// Port between the engine and the device that tests each sample.
 class JudgedPort final : public step::DevicePort {
  public:
   void set_slot(host::DeviceSlot& slot) { slot_ = &slot; }
@@ -162,7 +162,7 @@ Finding sight(const TestScene& scene, uint64_t seed) {
   if (std::string wrong = make_sight(scene, one); !wrong.empty()) return {Mark::kFailed, wrong};
   if (one.slot->sight == nullptr) return {Mark::kSkipped, say::kNoSight()};
   if (std::string wrong = run_sight(one); !wrong.empty()) return {Mark::kFailed, wrong};
-  // the same scene from the start, to another instance
+  // the same scene from the start, for another instance
   if (std::string wrong = make_sight(scene, other); !wrong.empty()) return {Mark::kFailed, wrong};
   if (std::string wrong = run_sight(other); !wrong.empty()) return {Mark::kFailed, wrong};
   if (one.port.said() != other.port.said()) return {Mark::kFailed, say::kSeesOtherwise()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage simulate-sensor: a jaw sensor on a pseudo terminal, for setting up and trying out without one.
+// swage simulate-sensor: simulates a jaw sensor on a pseudo terminal, for trials without hardware.
 #include <signal.h>
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace {
 
 volatile sig_atomic_t interrupted = 0;
 
-// a hand that opens and closes every four seconds, from 2 V open over -1 V just closed to -1.5 V, with some tremor
+// voltage of a hand that opens and closes every four seconds, from 2 V open over -1 V just closed to -1.5 V, with some tremor
 double breathe(double t) {
   const double turn = 2 * std::numbers::pi * t;
   return 0.25 + 1.75 * std::cos(turn / 4) + 0.005 * std::sin(9 * turn);
 }
 
-// straight between the rows, held before the first and after the last
+// linear interpolation between the rows; constant before the first and after the last
 double between(const std::vector<std::vector<double>>& rows, double t) {
   const auto after = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row[0] > t; });
   if (after == rows.begin()) return rows.front()[1];

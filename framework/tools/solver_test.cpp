@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of swage.object.solver/1 and /2 (abi/object.h) and of swage.object.band/1 (abi/band.h), asked of the tables alone.
+// Test of the contracts of swage.object.solver/1 and /2 (abi/object.h) and of swage.object.band/1 (abi/band.h), by the tables alone.
 #include <swage/abi/band.h>
 
 #include <Eigen/Eigenvalues>
@@ -21,6 +21,7 @@
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
+#include "tools/visual_test.hpp"
 
 namespace swage::tools {
 namespace {
@@ -45,10 +46,10 @@ class Solver {
       : slot_(scene.rig->objects[object]), world_(scene.rig->world), random_(seed) {
     for (uint32_t i = 0; i < slot_.body.count; ++i) moves_ |= motion(i) == SWAGE_MOTION_FLEXIBLE;
   }
-  /// Whether anything moves by it.
+  /// Whether the object has a solver and a body that it moves.
   bool moves() const { return (slot_.solver != nullptr || slot_.solver_2 != nullptr) && moves_; }
 
-  /// "" or what is wrong, at the poses of now.
+  /// "" or the fault, at the present poses.
   std::string check() {
     const auto advance = slot_.solver_2 != nullptr ? slot_.solver_2->advance : slot_.solver->advance;
     if (std::string wrong = call(host::Call::kAdvance, [&] { return advance(raw(), &view()); }); !wrong.empty())
@@ -117,7 +118,7 @@ class Solver {
     return "";
   }
 
-  // the same points, asked alone
+  // compares a part of the points with the same rows of all points
   std::string part(const Points& points, const Answer& all) {
     Points few = points;
     few.point.resize((points.size() + 1) / 2);
@@ -158,7 +159,7 @@ class Solver {
     return u[0] == u[1] ? "" : say::kOtherBits("displacement");
   }
 
-  // the points after the impulses `j`, from the state of now, which is put back
+  // velocities of the points after the impulses `j`, from the present state, which is restored
   std::string after(const Points& points, const Vector& j, Vector& v) {
     const scene::World saved = world_;
     Answer ignored;
@@ -172,7 +173,7 @@ class Solver {
     return wrong;
   }
 
-  /// Of a point, as the solver wrote it; `before`: when contacts were found, whose arms count.
+  /// Velocity of a point as the solver wrote it; `before`: the state in which contacts were found, which gives the lever arms.
   Vec3 velocity(const Points& points, uint32_t i, const scene::World& before) const {
     const uint32_t b = slot_.body.first + points.point[i].body;
     if (const swage_chain_place& at = points.place[i]; at.segment != SWAGE_NONE) {
@@ -186,14 +187,14 @@ class Solver {
   std::string motion_after(const Points& points, const Answer& all) {
     const auto n = static_cast<Eigen::Index>(3 * points.size());
     const double size = all.W.cwiseAbs().maxCoeff();
-    // pushes that move a point by about a millimetre per second: nothing gives way for good at that
+    // impulses that change velocities by about 1 mm/s: nothing yields at that
     Vector j(n), without, with;
     for (Eigen::Index i = 0; i < n; ++i) j[i] = 1e-3 / (size * static_cast<double>(n)) * random_.uniform(-1, 1);
     if (std::string wrong = after(points, Vector::Zero(n), without); !wrong.empty()) return wrong;
     if (std::string wrong = after(points, j, with); !wrong.empty()) return wrong;
     const Vector change = all.W * j;
     const double whole = change.cwiseAbs().maxCoeff(), off = (with - without - change).cwiseAbs().maxCoeff();
-    // tissue whose surface moves while its body stands says so; how that surface moves no table tells
+    // a surface may move while its body is at rest, as that of tissue; no table gives its velocity, so nothing is compared
     if (slot_.surface != nullptr && (with - without).cwiseAbs().maxCoeff() < 1e-3 * whole) {
       note_ = say::kNotCompared();
       return "";
@@ -206,7 +207,7 @@ class Solver {
     return "";
   }
 
-  // places on the surfaces that touch, three to a shape
+  // random places on the colliding surfaces
   Points surface_points() {
     constexpr std::size_t kMost = 12;
     Points out;
@@ -228,7 +229,7 @@ class Solver {
     return out;
   }
 
-  // on the centre line: how a piece turns about itself no table tells
+  // on the centre line, because no table gives the rotation of a piece about its own axis
   void on_chain(const scene::Shape& s, uint32_t index, Points& out) {
     const scene::ChainView chain(world_, world_.chain[s.chain]);
     const auto i = static_cast<uint32_t>(random_() % chain.segments());
@@ -272,29 +273,24 @@ class Solver {
   std::string note_;
 };
 
-std::string dents(Stepped& s, uint32_t object) {
+std::string drawn(Stepped& s, uint32_t object) {
   const host::ObjectSlot& slot = s.rig->objects[object];
-  if (slot.dents == nullptr) return "";
+  if (slot.visuals == nullptr) return "";
   scene::World& world = s.rig->world;
   const swage_input input{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
   const swage_object_step view =
       scene::view(world, {slot.body, slot.particle, slot.shape, slot.hinge, slot.state, slot.signal}, &input);
-  for (const uint32_t room : {0u, 1u, 16u}) {
-    // one more than there is room for, to see whether it keeps within it
-    std::vector<swage_dent> out(room + 1, {{0, 0, 0}, {0, 0, 0}, -7});
-    uint32_t n = 0;
-    const host::ScopedRole rt(SWAGE_THREAD_RT);
-    host::guarded(*slot.instance, host::Call::kDents, world.step,
-                  [&] { return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n); });
-    if (slot.instance->quarantined.load() != 0) return host::quarantine_text(*slot.instance);
-    if (n > room || out[room].radius != -7) return say::kManyDents(n, room);
-    for (uint32_t i = 0; i < n; ++i)
-      if (!host::finite(&out[i].p_W.x, 7) || !(out[i].radius > 0)) return say::kDent();
-  }
-  return "";
+  const host::ScopedRole rt(SWAGE_THREAD_RT);
+  const std::string wrong = visuals(
+      [&](uint32_t room, swage_visual* out, uint32_t* n) {
+        return host::guarded(*slot.instance, host::Call::kDraw, world.step,
+                             [&] { return slot.visuals->draw(slot.instance->raw, &view, nullptr, room, out, n); });
+      },
+      slot.body.count, world);
+  return slot.instance->quarantined.load() != 0 ? host::quarantine_text(*slot.instance) : wrong.empty() ? "" : wrong + ".";
 }
 
-// the defaults, and each value of each choice: levels of detail are choices
+// parameters to test: the defaults, and each value of each choice (levels of detail are choices)
 std::vector<std::string> ways(const host::ParamTable& table) {
   std::vector<std::string> out = {"{}"};
   for (const host::Param& p : table)
@@ -306,27 +302,27 @@ std::vector<std::string> ways(const host::ParamTable& table) {
 }  // namespace
 
 Finding solver(const TestScene& scene, uint64_t seed) {
-  bool moved = false, drawn = false;
+  bool moved = false, draws = false;
   std::string note;
   for (const std::string& params : ways(scene.plugin().params)) {
     Stepped s;
     std::string error;
     Wish wish;
     wish.params = params;
-    if (!scene.make(wish, s, error)) continue;  // test "range" asks whether a refusal is told
+    if (!scene.make(wish, s, error)) continue;  // test "range" covers parameters that are refused
     const uint32_t subject = scene.subject(wish);
     Solver solver(s, subject, seed);
-    drawn |= s.rig->objects[subject].dents != nullptr;
+    draws |= s.rig->objects[subject].visuals != nullptr;
     for (int round = 0; round < 5; ++round) {
       std::string wrong = s.run(7);
-      if (wrong.empty()) wrong = dents(s, subject);
+      if (wrong.empty()) wrong = drawn(s, subject);
       if (wrong.empty() && solver.moves()) wrong = solver.check();
       if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : say::kParameters(params))};
     }
     moved |= solver.moves();
     if (!solver.note().empty()) note = solver.note();
   }
-  if (!moved && !drawn) return {Mark::kSkipped, say::kNoSolver()};
+  if (!moved && !draws) return {Mark::kSkipped, say::kNoSolver()};
   return {Mark::kSuccess, note};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage stations: what every station of the school does now.
+// swage stations: the present state of every station of the school.
 #include "record/stations.hpp"
 
 #include <cmath>

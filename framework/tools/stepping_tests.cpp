@@ -28,7 +28,7 @@ using host::Subject;
 Finding failed(const std::string& text) { return {Mark::kFailed, text}; }
 Finding skipped(const std::string& text) { return {Mark::kSkipped, text}; }
 
-// kinetic and potential energy of the dynamic bodies [J]
+// Sum of kinetic and potential energy of the dynamic bodies [J].
 double energy(const scene::World& w, double& kinetic) {
   double potential = 0;
   kinetic = 0;
@@ -67,7 +67,7 @@ Finding stepping(const TestScene& scene, uint64_t) {
     if (const std::string fault = s.fault(); !fault.empty()) return failed(fault);
     const double now = energy(s.engine->world(), kinetic);
     most = std::max(most, kinetic);
-    // 1e-6 of what moves: a thousand times what rounding and integration make of ten seconds of free fall
+    // tolerance: 1e-6 of the kinetic energy, a thousand times the error of rounding and integration in ten seconds of free fall
     const bool free =
         s.rig->world.hinge.empty() && scene.plugin().kind == SWAGE_KIND_OBJECT && !scene.of_lesson();
     if (free && now - start > 1e-6 * most)
@@ -81,7 +81,7 @@ Finding stepping(const TestScene& scene, uint64_t) {
   return {};
 }
 
-// level 5: what the host saves is all that counts
+// level 5: the saved state determines the following steps
 Finding rewind(const TestScene& scene, uint64_t seed) {
   Stepped s;
   std::string error;
@@ -124,19 +124,19 @@ Finding alone(const TestScene& scene, uint64_t) {
   return {};
 }
 
-// level 6: a scene somewhere else is the same scene
+// level 6: a translated scene has the same motion
 Finding moved(const TestScene& scene, uint64_t) {
   if (scene.of_lesson()) return skipped(say::kLessonPlaces());
   Stepped here, there;
   std::string error;
   Wish away;
-  away.at = {0.1, -0.1, 0.1};  // within the thousand lengths beyond which nothing moves
+  away.at = {0.1, -0.1, 0.1};  // less than the thousand scene lengths that limit all positions
   if (!scene.make({}, here, error) || !scene.make(away, there, error)) return failed(error);
   for (int i = 0; i < 200; ++i) {
     here.engine->step();
     there.engine->step();
   }
-  // rounding at 1 m is 1e-16 m a step; a millionth of the scene's length is far above that and below anything seen
+  // rounding at 1 m is 1e-16 m per step; a millionth of the scene's length is far above that and too small to be visible
   const double tolerance = 1e-6 * here.rig->world.length;
   const scene::World &a = here.engine->world(), &b = there.engine->world();
   for (std::size_t i = 0; i < a.X_WB.size(); ++i) {
@@ -148,7 +148,7 @@ Finding moved(const TestScene& scene, uint64_t) {
   return {};
 }
 
-// a value of a parameter at `at` in 0..1 of its range, as JSON
+// random value of a parameter as JSON; `at` gives places in its range, 0..1
 nlohmann::json value_at(const host::Param& p, const std::function<double()>& at) {
   const auto between = [&] { return p.min + (p.max - p.min) * at(); };
   switch (p.type) {
@@ -168,7 +168,7 @@ nlohmann::json value_at(const host::Param& p, const std::function<double()>& at)
       return list;
     }
     default:
-      return nullptr;  // texts and files stay as they are
+      return nullptr;  // texts and files keep their defaults
   }
 }
 
@@ -181,7 +181,7 @@ std::string try_params(const TestScene& scene, const nlohmann::json& params) {
   return s.run(20);
 }
 
-// level 6: within its range every value is an error that is told, or a good run
+// level 6: any value within a parameter's range gives a reported error or a good run
 Finding range(const TestScene& scene, uint64_t seed) {
   base::Xoshiro256 random(seed);
   const host::ParamTable& table = scene.plugin().params;
@@ -227,7 +227,7 @@ Finding time(const TestScene& scene, uint64_t) {
   return {p99 > 0.2 ? Mark::kWarning : Mark::kSuccess, text};
 }
 
-// a hand that does everything wrong but write what is no number: that would be the device's own fault
+// a hand with any faulty sample but those with NaN or infinity, which would be a fault of the device
 class WildHand final : public step::DevicePort {
  public:
   explicit WildHand(uint64_t seed) : random_(seed) {}
@@ -252,7 +252,7 @@ class WildHand final : public step::DevicePort {
       case 0:
         return 0;
       case 1:
-        return 900;  // m: at the far end of the room
+        return 900;  // m: far outside the scene
       case 2:
         return -10;
       case 3:
@@ -264,7 +264,7 @@ class WildHand final : public step::DevicePort {
   base::Xoshiro256 random_;
 };
 
-// level 9: whatever the hand sends, the world stays whole
+// level 9: for any samples of the hand the world stays finite
 Finding fuzz(const TestScene& scene, uint64_t seed) {
   if (!scene.is_led()) return skipped(say::kHandsOff());
   WildHand hand(seed);
@@ -280,7 +280,7 @@ Finding fuzz(const TestScene& scene, uint64_t seed) {
 
 using Test = Finding (*)(const TestScene&, uint64_t);
 
-// the worst of what a test finds in the plugins of a library
+// the worst finding of a test over the plugins of a library
 Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_dirs, const std::string& with, Test test,
                uint32_t kinds) {
   host::Catalogue::Options options;
@@ -305,7 +305,7 @@ Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_di
     else if (scene.skipped().empty())
       f = test(scene, subject.seed);
     if (subject.plugins.size() > 1 && !f.text.empty()) f.text = p.id + ": " + f.text;
-    // skipped counts only when nothing else was found
+    // "skipped" counts only if no plugin was tested
     const bool worse =
         !any || worst.mark == Mark::kSkipped || (f.mark != Mark::kSkipped && f.mark > worst.mark);
     if (worse) worst = f;
@@ -329,7 +329,7 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
   static constexpr Entry kTests[] = {
       {4, "stepping", "10 000 steps with defaults: every number finite, no energy out of nothing", stepping,
        host::kAllKinds},
-      // what a device holds is its own
+      // not for devices: their state is outside the host
       {5, "rewind", "the same steps again after restoring the saved state: the same bytes", rewind,
        kObject | kCoupling | kLesson},
       {5, "alone", "the same bits in a second run, and with another instance in the scene", alone,
@@ -340,7 +340,7 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
        kDevice},
       {5, "sight", "what a hand that sees makes of its scene, and of one that lies elsewhere: finite, unit, the same bits again",
        sight, kDevice},
-      // contacts amplify rounding, so that two touching things need not end in the same place
+      // not for couplings and lessons: contacts amplify rounding, so that positions may differ
       {6, "moved", "the scene 0.1 m away: the same motion", moved, kObject},
       {6, "range", "every parameter at its ends and 200 random sets: an error that is told, or a good run",
        range, host::kAllKinds},

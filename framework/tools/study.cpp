@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage study: a lesson over a matrix of variants and hands, as fast as it goes; or laws of reaction over one recorded hand.
+// swage study: runs a lesson over a matrix of variants and hands, as fast as possible; or reaction laws over one recorded hand.
 #include "tools/study.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Takes a study apart; what is wrong is said with its place.
+/// Reads a study file; reports faults with their place in the file.
 class Reader {
  public:
   Reader(std::string path, base::Problems& problems) : path_(std::move(path)), problems_(problems) {}
@@ -207,7 +207,7 @@ StudyRow planned_row(const Study& study, uint64_t i) {
   return row;
 }
 
-/// Runs what the shard has to do and nobody has done. False: problems are told.
+/// Runs the rows of the shard that are not done yet. False with the problems printed.
 bool run_rows(const Study& study, const StudyOptions& o, const Shard& shard, const std::string& name, StudyRows& done) {
   const uint64_t all = count_rows(study);
   std::unique_ptr<RowWriter> writer;
@@ -248,11 +248,11 @@ int show(const Study& study, const StudyOptions& o, const StudyRows& done, const
   for (const StudyFigure& figure : study.figures)
     written = write(folder + figure.file, study_svg(study, figure, rows)) && written;
   if (!written) return problem(say::kNotWritten(o.out));
-  remove_rows(o.out, name);  // the table has them all
+  remove_rows(o.out, name);  // the table contains all rows
   return kPassed;
 }
 
-// one recorded hand, and what several laws make of what it met
+// runs a study of reaction laws over one recorded hand
 int study_laws(const StudyOptions& o) {
   if (!o.shard.empty() || o.merge || !o.settings.empty())
     return problem(say::kOneAttempt());

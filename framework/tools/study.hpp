@@ -7,7 +7,7 @@
 //     "hands":   [ { "name": "expert", "device": "expert", "params": { } }, ... ],
 //     "figures": [ { "metric": "wound.size", "title": "...", "unit": "%", "scale": 100, "file": "wound.svg" } ] }
 //
-// A level may name another "lesson", so that a study can go over many; "score" is a metric of every lesson.
+// A level may name another "lesson", so that a study can cover several; "score" is a metric of every lesson.
 //
 // [main]
 #pragma once
@@ -23,7 +23,7 @@ namespace swage::tools {
 struct StudyLevel {
   std::string name;
   std::vector<std::string> settings;  // "needle.arc=2/8"
-  std::string lesson;                 // path, or "": that of the study
+  std::string lesson;                 // path; "": the lesson of the study
 };
 struct StudyFactor {
   std::string name;
@@ -34,7 +34,7 @@ struct StudyHand {
 };
 struct StudyFigure {
   std::string metric, title, unit, file;
-  double scale = 1;  // shown value over the metric's own
+  double scale = 1;  // factor from the metric's value to the value shown
 };
 struct Study {
   std::string title, lesson;  // lesson: path
@@ -57,7 +57,7 @@ struct StudyRow {
 
 /// False and `problems` when the file is no study.
 bool read_study(const std::string& path, Study& out, base::Problems& problems);
-/// A metric over the repeats of a cell, of passed and failed attempts alike; NaN when nobody has it.
+/// A metric over the repeats of a cell, of passed and failed attempts alike; NaN when no attempt has it.
 struct Cell {
   double mean = 0, least = 0, most = 0;
   std::size_t passed = 0, of = 0;
@@ -65,7 +65,7 @@ struct Cell {
 Cell cell_of(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
              const std::string& metric);
 std::string study_csv(const Study& study, const std::vector<StudyRow>& rows);
-/// Dots of every attempt, hollow where it was not passed, and the mean of each cell.
+/// Figure with a dot for every attempt, hollow where it was not passed, and the mean of each cell.
 std::string study_svg(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows);
 
 }  // namespace swage::tools

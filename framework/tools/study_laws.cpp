@@ -27,13 +27,13 @@ using assembly::Json;
 using toolkit::Vec3;
 
 constexpr const char* kFormat = "swage-laws/1";
-constexpr double kTouches = 1e-9;  // N, below which nothing touches the tool
+constexpr double kTouches = 1e-9;  // N, contact force up to which the tool counts as free
 
 std::string beside(const std::string& file, const std::string& path) {
   return path.empty() ? "" : (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
 }
 
-// the hand of a lesson, played once and recorded
+// plays the hand of a lesson once and records it
 bool play(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs, record::Recording& out, base::Problems& problems) {
   const base::ScratchFolder scratch("laws");
   session::Options options;
@@ -54,7 +54,7 @@ bool play(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs, rec
   return false;
 }
 
-/// One law on the way to one hand.
+/// One reaction law with its force guard, and the resulting forces.
 struct Chain {
   Chain(const LawsPlan& plan, const LawsPlan::Law& law) : scale(plan.force_scale), reaction(law.reaction), guard(limits(plan)) { guard.arm(); }
   static session::ForceLimits limits(const LawsPlan& plan) {
@@ -63,7 +63,7 @@ struct Chain {
     out.continuous_force = std::min(out.continuous_force, out.max_force);
     return out;
   }
-  /// `f_D`: of the scene, in the frame of the device.
+  /// Adds a step. `f_D`: contact force of the scene on the tool [N], in the frame of the device.
   void step(const Vec3& f_D, const session::HandMotion& hand, double dt, double time) {
     const double f = f_D.norm();
     const Vec3 wanted = f > 0 ? Vec3(scale * step::felt_force(reaction, f) / f * f_D) : Vec3(Vec3::Zero());
@@ -85,7 +85,7 @@ struct Chain {
   Vec3 last = Vec3::Zero();
 };
 
-/// The contact forces on what one device leads, in its frame.
+/// Sum of the contact forces on the objects that follow one device [N], in its frame.
 Vec3 felt(const session::Playback& scene, uint32_t device) {
   const host::Rig& rig = scene.rig();
   const auto led = [&](uint32_t body) {
@@ -107,7 +107,7 @@ session::HandMotion motion(const swage_sample& sample) {
   return hand;
 }
 
-// what is counted over the time in which something touches
+// computes the shares and the difference over the time in contact
 void count(const LawsResult& all, LawRun& run) {
   std::size_t touched = 0, silent = 0, cut = 0;
   double off = 0;
@@ -182,7 +182,7 @@ bool run_laws(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs,
     return problems.push_back({base::Severity::kError, plan.device, say::kNoDevice()}), false;
 
   out.dt = hand.info.dt;
-  std::deque<Chain> chains;  // a guard stays where it is
+  std::deque<Chain> chains;  // a force guard cannot be moved
   for (const LawsPlan::Law& law : plan.laws) chains.emplace_back(plan, law);
   for (std::size_t i = 0; scene->step(); ++i) {
     const Vec3 f_D = felt(*scene, static_cast<uint32_t>(device));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The figure of a study of reaction laws: left the laws, right what the hand was given.
+// The figure of a study of reaction laws: left the laws, right the forces for the hand.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -14,9 +14,9 @@ namespace swage::tools {
 namespace {
 
 constexpr double kWidth = 1100, kHeight = 460, kTop = 96, kBottom = 60;
-constexpr std::size_t kColumns = 700;  // of the curves over the time: one for the greatest value in each
+constexpr std::size_t kColumns = 700;  // points of a curve over time, each the greatest value in its interval
 
-/// Axes from 0 on, and curves in them.
+/// Axes that begin at 0, with curves.
 class Panel {
  public:
   Panel(std::ostringstream& out, double left, double right, double most_x, double most_y)
@@ -44,7 +44,7 @@ class Panel {
   void text(double at_x, double at_y, const std::string& s, const std::string& extra) {
     o_ << format("<text x='%.1f' y='%.1f' ", at_x, at_y) << extra << ">" << svg::escape(s) << "</text>\n";
   }
-  // laws are told apart without colours, too
+  // dashes distinguish the laws without colours, too
   static const char* dashes(std::size_t which) {
     static constexpr const char* kDashes[] = {"none", "7 4", "2 3", "10 3 2 3", "4 2"};
     return kDashes[which % 5];
@@ -73,7 +73,7 @@ std::string laws_svg(const LawsPlan& plan, const LawsResult& result) {
   std::ostringstream o = plain_stream();
   o << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
     << "' font-family='DejaVu Sans, Arial, sans-serif' font-size='13' fill='#222'>\n<rect width='100%' height='100%' fill='white'/>\n";
-  // a spike of a contact that slips is no place to show a law at: nine hundred and ninety-nine of a thousand touches lie below
+  // the axis ends at the 99.9 % quantile of the contact force, so that single spikes do not stretch it
   std::vector<double> sorted = result.scene;
   std::sort(sorted.begin(), sorted.end());
   const double most_f = sorted.empty() ? 0 : sorted[static_cast<std::size_t>(0.999 * static_cast<double>(sorted.size() - 1))];

@@ -52,7 +52,7 @@ class Figure {
     const auto found = row.metric.find(figure_.metric);
     return found == row.metric.end() ? NAN : figure_.scale * found->second;
   }
-  // cells in groups: the first factor makes the groups, the second the places in them
+  // cells are grouped by the first factor and placed in each group by the second
   double cell_width() const {
     return (kPlotWidth - kLeft - kRight) / (static_cast<double>(outer_) * (static_cast<double>(inner_) + 0.6));
   }

@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 constexpr const char* kRowsFormat = "swage-study-rows/1";
 constexpr std::size_t kMostRowsBytes = std::size_t{1} << 30;  // a million attempts of a thousand bytes
 
-// FNV-1a of 64 bits: names are compared, nobody attacks them.
+// FNV-1a of 64 bits: for comparing names, no protection against an attack.
 class Hash {
  public:
   void add(const std::string& text) {
     for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    value_ = (value_ ^ 0xff) * 0x100000001b3ull;  // ends a text
+    value_ = (value_ ^ 0xff) * 0x100000001b3ull;  // separates texts
   }
   std::string hex() const { return format("%016llx", static_cast<unsigned long long>(value_)); }
 
@@ -68,7 +68,7 @@ std::vector<std::string> row_files(const std::string& folder) {
   return out;
 }
 
-// Whole lines only; the first says of which study they are. False for another study's, or no such file.
+// Reads whole lines; the first names the study. False for the file of another study, or without a file.
 bool read_lines(const std::string& path, const std::string& name, std::vector<nlohmann::json>& lines, std::size_t& whole_bytes) {
   std::string text, why;
   whole_bytes = 0;
@@ -103,7 +103,7 @@ std::string study_name(const Study& study, const std::string& file_text, const s
     for (const StudyLevel& level : factor.levels) lessons.insert(level.lesson);
   for (const std::string& path : lessons) {
     assembly::LessonText text;
-    base::Problems ignored;  // told by whoever runs the lesson
+    base::Problems ignored;  // reported when the lesson is run
     if (!path.empty() && assembly::read_lesson_text(path, {}, text, ignored)) hash.add(text.text);
   }
   return hash.hex();

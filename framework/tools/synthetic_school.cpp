@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage people synthetic: scripted hands really play a few lessons; a school's worth of attempts is drawn between them.
+// swage people synthetic: scripted hands play a few lessons; the attempts of a whole school are drawn at random between their results.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -16,12 +16,12 @@
 namespace swage::tools {
 namespace {
 
-constexpr uint64_t kNovices = 3;  // seeds of the novice hand: their spread is that of the drawn beginners
+constexpr uint64_t kNovices = 3;  // runs of the novice hand, whose spread gives that of the simulated beginners
 
-constexpr double kTooShort = 0.6;  // of the time that a novice needs: in that nobody passes
+constexpr double kTooShort = 0.6;  // time limit over the time of a passed attempt: no attempt passes within it
 
 struct Played {
-  std::string id;  // "" once told
+  std::string id;  // of the attempt; "": failed, with the reason printed
   double simulated_s = 0;
 };
 

@@ -57,7 +57,7 @@ assembly::LessonFile empty_lesson() {
   return f;
 }
 
-// a hand that holds the instrument where it stands
+// a hand that holds the instrument at rest
 class StillHand final : public step::DevicePort {
  public:
   explicit StillHand(const swage_vec3& at) : at_(at) {}
@@ -74,7 +74,7 @@ class StillHand final : public step::DevicePort {
   const swage_vec3 at_;
 };
 
-// "a, b" -> {"a", "b"}; empty when it is something else than names
+// "a, b" -> {"a", "b"}; empty when the text does not consist of names
 std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> names(1);
   for (const char c : text) {
@@ -118,7 +118,7 @@ TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& cata
     : plugin_(plugin), catalogue_(catalogue) {
   const host::PluginInfo* mouse = catalogue.find("swage.device.mouse");
   if (mouse != nullptr) hand_ = mouse->id;
-  // a lesson's texts name objects, and those can be given
+  // required texts of a lesson name objects, which this scene provides
   const bool needs = std::any_of(plugin.params.begin(), plugin.params.end(), [&](const auto& p) {
     return p.required() && !(plugin.kind == SWAGE_KIND_LESSON && p.type == SWAGE_PARAM_TEXT);
   });
@@ -156,7 +156,7 @@ uint32_t TestScene::subject(const Wish& wish) const {
   return 0;
 }
 
-// the wished parameters over those of the lesson, wherever the plugin is used; a device that is tested is the first choice
+// the lesson's file, with the wished parameters at every use of the plugin; a device under test becomes the first choice
 assembly::LessonFile TestScene::lesson_file(const Wish& wish) const {
   assembly::LessonFile f = *lesson_;
   const auto give = [&](assembly::PluginUse& use) {
@@ -199,7 +199,7 @@ bool TestScene::follows(const std::string& object_plugin) const {
   return std::find(led_.begin(), led_.end(), object_plugin) != led_.end();
 }
 
-// objects that only a hand makes whole
+// finds objects that follow a hand
 void TestScene::find_led() {
   std::string ignored;
   if (hand_.empty()) return;
@@ -213,7 +213,7 @@ void TestScene::find_led() {
   }
 }
 
-// the first two objects that it can bind, or one with itself, perhaps with a coupling that finds their contacts for it
+// finds the first two objects that the coupling can bind, or one with itself, if necessary with a coupling that detects their contacts
 void TestScene::find_pair() {
   std::string why = say::kNoObject(), last;
   const std::string finders[] = {"", "swage.coupling.contact"};
@@ -247,8 +247,8 @@ bool TestScene::is_led() const {
                      [](const auto& o) { return !o.follow_pose.empty(); });
 }
 
-// Objects for a lesson. What it calls them it says in its texts, and what they have to be it says in bind(): so each text names
-// an object, and every cast of installed plugins is tried until one will do.
+// Finds objects for a lesson. Its text parameters are taken as names of objects, and bind() accepts or refuses the plugins: every
+// assignment of installed plugins to names is tried until one is accepted.
 void TestScene::find_stage() {
   constexpr std::size_t kMostCasts = 400;
   std::vector<std::string> plugins;
@@ -274,7 +274,7 @@ void TestScene::find_stage() {
   skipped_ = say::kNoCast(why);
 }
 
-// the wished parameters, and the names of the actors
+// the wished parameters, with the names of the objects
 std::string TestScene::stage_params(const std::string& wished) const {
   nlohmann::json all = nlohmann::json::parse(wished);
   for (const auto& [id, name] : casting_) all[id] = name;
@@ -286,7 +286,7 @@ void TestScene::set_stage(assembly::LessonFile& f, const Wish& wish) const {
   for (std::size_t i = 0; i < stage_.size(); ++i)
     f.objects.push_back(object(stage_[i].name, stage_[i].plugin, "{}",
                                {wish.at.x + 0.01 * static_cast<double>(i), wish.at.y, wish.at.z}));
-  // whoever can grip has something to grip
+  // every gripper gets contact and grasp with every graspable object
   for (const Actor& a : stage_)
     for (const Actor& b : stage_) {
       if (!is_a(a.plugin, SWAGE_TRAIT_GRIPPER) || !is_a(b.plugin, SWAGE_TRAIT_GRASPABLE)) continue;
@@ -302,7 +302,7 @@ void TestScene::set_stage(assembly::LessonFile& f, const Wish& wish) const {
 
 assembly::LessonFile TestScene::file(const Wish& wish) const {
   if (lesson_ != nullptr) return lesson_file(wish);
-  // 100 characteristic lengths: far enough to have nothing to do with each other
+  // m, 100 characteristic lengths: too far for any interaction
   constexpr double kFar = 0.1;
   assembly::LessonFile f = empty_lesson();
   if (plugin_.kind == SWAGE_KIND_OBJECT) {
@@ -340,9 +340,9 @@ bool TestScene::make(const Wish& wish, Stepped& out, std::string& error) const {
 
   std::vector<step::DevicePort*> ports;
   if (lesson_ != nullptr || plugin_.kind == SWAGE_KIND_DEVICE) {
-    // what is asked in the step the engine asks itself; what lives on a thread of its own rests
+    // the engine calls LOCKSTEP devices itself; devices with a thread of their own are replaced by a hand at rest
     out.still = std::make_unique<StillHand>(wish.at);
-    // the wished hand leads in the place of the device under test, or else of the first
+    // the wished hand replaces the device under test, or the first device
     const auto subject = std::find_if(out.rig->devices.begin(), out.rig->devices.end(),
                                       [&](const auto& slot) { return slot.instance->plugin_id == plugin_.id; });
     const std::size_t led = subject == out.rig->devices.end() ? 0 : static_cast<std::size_t>(subject - out.rig->devices.begin());

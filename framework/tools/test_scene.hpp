@@ -17,47 +17,47 @@
 
 namespace swage::tools {
 
-/// A rig and the engine that steps it; in this order, because the engine goes first.
+/// A rig and the engine that steps it; in this order, because the engine must be destroyed first.
 struct Stepped {
-  std::unique_ptr<step::DevicePort> still;  // the hand, when nobody wished another
+  std::unique_ptr<step::DevicePort> still;  // the default hand
   std::unique_ptr<host::Rig> rig;
   std::unique_ptr<step::Engine> engine;
 
-  /// "" as long as all is well: nobody in quarantine, every number of the world finite.
+  /// "" while no instance is in quarantine and every number of the world is finite, otherwise the fault.
   std::string fault() const;
-  /// "" or the first fault on the way.
+  /// Runs steps; "" or the first fault.
   std::string run(uint64_t steps);
 };
 
-/// What a scene is to be.
+/// Options of a scene.
 struct Wish {
   std::string params = "{}";         // of the plugin under test, JSON object
-  swage_vec3 at{0, 0, 0};            // m, where the object stands
+  swage_vec3 at{0, 0, 0};            // m, position of the object
   bool with_neighbour = false;       // a second instance of the object, far away and before the first
-  step::DevicePort* hand = nullptr;  // leads the objects that follow a hand; nullptr: one that rests
+  step::DevicePort* hand = nullptr;  // moves the objects that follow a hand; nullptr: a hand at rest
 };
 
 class TestScene {
  public:
-  /// A scene for `plugin`; `catalogue` lends what it needs. Both outlive this.
+  /// A scene for `plugin`; `catalogue` has the other plugins that it needs. Both outlive this.
   TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue);
   /// The scene of a lesson in which the plugin is used; `lesson` outlives this.
   TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue, const assembly::LessonFile& lesson);
 
-  /// Why this plugin cannot be stepped here, or "".
+  /// Reason why this plugin cannot be stepped here, or "".
   const std::string& skipped() const { return skipped_; }
 
-  /// False: `error` has the first problem.
+  /// Makes the scene; false with the first problem in `error`.
   bool make(const Wish& wish, Stepped& out, std::string& error) const;
 
   const host::PluginInfo& plugin() const { return plugin_; }
-  /// True when something in the scene follows a hand.
+  /// True when an object of the scene follows a hand.
   bool is_led() const;
   /// Index of the object under test in a rig made with this wish.
   uint32_t subject(const Wish& wish) const;
-  /// True for a device that is asked on a thread of its own.
+  /// True for a device with a thread of its own.
   bool on_thread() const { return on_thread_; }
-  /// True when the scene is a lesson's: things stand where it puts them.
+  /// True when the scene is that of a lesson file, which places the objects.
   bool of_lesson() const { return lesson_ != nullptr; }
 
  private:
@@ -81,11 +81,11 @@ class TestScene {
     std::string name, plugin;
   };
   std::vector<Actor> stage_;                    // objects for a lesson
-  std::map<std::string, std::string> casting_;  // its parameters that name them
-  std::string between_[2];                      // object plugins for a coupling; the second empty: one with itself
-  std::string finder_;            // coupling that finds contacts for one that only looks, "" for none
+  std::map<std::string, std::string> casting_;  // parameters of the lesson that name them
+  std::string between_[2];                      // object plugins for a coupling; the second is empty for an object with itself
+  std::string finder_;            // coupling that detects the contacts for one that only observes, "" for none
   std::vector<std::string> led_;  // object plugins that follow a hand
-  std::string hand_;              // a device plugin that can lead an object, "" for none
+  std::string hand_;              // a device plugin that can move an object, "" for none
   std::string skipped_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Traits with functions (abi/object.h): a coupling that has never heard of the object asks them for places on it.
+// Test of the traits with functions (abi/object.h), called as by a coupling that does not know the object.
 #include <swage/abi/cut.h>
 #include <swage/abi/strand.h>
 
@@ -25,7 +25,7 @@ using host::Mark;
 bool is_unit(const swage_vec3& a) { return std::abs(std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z) - 1) < 1e-6; }
 double dot(const swage_vec3& a, const swage_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 bool positive(double a) { return std::isfinite(a) && a > 0; }
-bool at_least_0(double a) { return a >= 0; }  // an infinite strength is a strength
+bool at_least_0(double a) { return a >= 0; }  // infinity is allowed, as for a strength
 
 class Traits {
  public:
@@ -57,7 +57,7 @@ class Traits {
     asked_ += found != nullptr;
     return found;
   }
-  // asks twice: "" when both answers are the same bits and nobody is in quarantine
+  // calls twice: "" when both results have the same bits and no instance is in quarantine
   template <class T, class F>
   std::string twice(const char* what, T& out, F&& f) {
     T again{};
@@ -70,7 +70,7 @@ class Traits {
     if (std::memcmp(&out, &again, sizeof out) != 0) return say::kOtherBits(what);
     return "";
   }
-  // near the object, and a metre off
+  // a random place near the object or 1 m away
   swage_vec3 somewhere() {
     const swage_vec3& p = scene_.rig->world.X_WB[slot_.body.first].p;
     const double r = random_() % 4 == 0 ? 1.0 : 1e-2;
@@ -206,7 +206,7 @@ class Traits {
     return wrong;
   }
 
-  // the last of all: it is not whole afterwards
+  // the last test, because it cuts the object
   std::string cuttable() {
     const auto* t = table<swage_cuttable>(SWAGE_TRAIT_CUTTABLE);
     if (t == nullptr) return "";

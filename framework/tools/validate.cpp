@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage validate: is this plugin, or this lesson file, fit to be used?
+// swage validate: tests plugins and lesson files.
 #include "host/validate.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Report {
   Json json = Json::array();
 };
 
-// the scene as its first step finds it
+// reports overlaps of objects at the start of the scene
 void look_for_overlaps(host::Rig& rig, base::Problems& problems) {
   try {
     const step::Engine engine(rig, step::Options{}, {});
@@ -94,7 +94,7 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
     ++count[static_cast<std::size_t>(r.finding.mark)];
     list.push_back(to_json(r));
     if (o.json) return;
-    // many tests skip a plugin for one reason: say it once
+    // a reason for which several tests skip a plugin is printed once
     const bool again = r.finding.mark == Mark::kSkipped && r.finding.text == why_skipped;
     std::printf("  %2u %-14s %-8s %s\n", r.level, r.name.c_str(), host::text(r.finding.mark),
                 again ? "(the same)" : r.finding.text.c_str());
@@ -119,7 +119,7 @@ bool holds_library(const fs::path& folder) {
   return false;
 }
 
-// what is meant by a path: a folder of lessons or of bundles stands for each of them
+// expands a path: a folder stands for each of its lessons or bundles
 bool spread(const std::string& path, std::vector<std::string>& out) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) {
@@ -133,7 +133,7 @@ bool spread(const std::string& path, std::vector<std::string>& out) {
       out.push_back(path);
       return true;
     }
-    // what swage run --trace wrote about a table is no lesson
+    // descriptions of tables by swage run --trace are no lessons
     if (extension == ".json" && !entry.path().string().ends_with(".about.json")) lessons.push_back(entry.path().string());
     // a folder of bundles stands for each of them
     if (entry.is_directory(ignored) && holds_library(entry.path())) lessons.push_back(entry.path().string());

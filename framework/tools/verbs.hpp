@@ -13,8 +13,8 @@ namespace swage::tools {
 // Exit codes of every verb.
 inline constexpr int kPassed = 0;
 inline constexpr int kNotPassed =
-    1;  // it ran, and the answer is no: lesson not passed, replay differs, plugin not valid
-inline constexpr int kProblem = 2;  // it could not be done, or was asked wrongly
+    1;  // the verb ran with a negative result: lesson not passed, replay differs, plugin not valid
+inline constexpr int kProblem = 2;  // the verb failed, or its options are wrong
 
 struct RunOptions {
   std::string lesson, device, device_params, person = "Guest", store, mode;
@@ -32,7 +32,7 @@ struct StudyOptions {
   std::vector<std::string> plugin_dirs;
   std::vector<std::string> settings;  // of every attempt, before those of the study: "needle.level=bending"
   std::string shard;                  // "2/8": only every eighth attempt; "" all
-  bool merge = false;                 // runs nothing: figures of what the shards have left in `out`
+  bool merge = false;                 // runs nothing; makes the figures from the rows of all shards in `out`
 };
 int study(const StudyOptions&);
 
@@ -40,7 +40,7 @@ struct ReplayOptions {
   std::string what;  // file, attempt id or its beginning, "last"; for grading also "all"
   std::string store;
   std::vector<std::string> plugin_dirs;
-  bool grade = false;  // let the lesson of today judge it, and keep that beside what was said
+  bool grade = false;  // judges with the present lesson, and stores that beside the former verdict
   bool json = false;
 };
 int replay(const ReplayOptions&);
@@ -52,7 +52,7 @@ struct ValidateOptions {
   std::string only;
   uint32_t strictness = 5;
   uint64_t seed = 1;
-  double limit_s = 20;  // of processor time per test, or of waiting
+  double limit_s = 20;  // s of processor time per test, or of waiting
   bool in_process = false, json = false;
 };
 int validate(const ValidateOptions&);
@@ -66,7 +66,7 @@ struct AuditOptions {
   double budget_s = 45;     // of processor time, for one run
   std::string out;          // folder for tables and chart, "" for none
   bool series = false;      // also every lesson that comes with Swage
-  bool add = false;         // the lessons that the folder has from an earlier audit stay
+  bool add = false;         // keeps the lessons of an earlier audit in the folder
   bool json = false;
 };
 int audit(const AuditOptions&);
@@ -82,7 +82,7 @@ struct WordsOptions {
   std::vector<std::string> what;  // lesson files, bundles, ids
   std::string language = "de";
   std::vector<std::string> plugin_dirs;
-  bool all = false;  // what is translated, too
+  bool all = false;  // also lists translated words
 };
 int words(const WordsOptions&);
 
@@ -105,9 +105,9 @@ struct BenchOptions {
 int bench(const BenchOptions&);
 
 struct NeedleOptions {
-  std::string model = "micro_100";  // of the library, or a file
+  std::string model = "micro_100";  // name in the library, or path of a file
   int pieces = 12;                  // of the bending needle
-  double width_mm = 0.5;            // of the flat jaws that squeeze it
+  double width_mm = 0.5;            // of the flat jaws of the squeeze test
   bool json = false;
 };
 int list_needles(const NeedleOptions&);

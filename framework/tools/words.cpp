@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage words: what a lesson and its plugins say to people, and what of it has no translation yet.
+// swage words: the texts of a lesson and its plugins for people, and those without a translation.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What is said, in order, and the translations that lie beside it.
+/// The texts in order, and the folders with their translations.
 struct Said {
   std::vector<std::string> words;
   std::set<std::string> folders;
@@ -50,7 +50,7 @@ bool add_lesson(const std::string& path, const host::Catalogue& catalogue, Said&
   if (!assembly::read_lesson_text(path, {}, text, problems) || !assembly::read_lesson_file(path, file, problems)) return false;
   const auto rig = assembly::assemble(file, catalogue, {}, problems);
   if (!rig) return false;
-  // a lesson that is based on another one takes its words from there, too
+  // a lesson that is based on another one uses that one's translations, too
   for (const std::string& place : {path, text.beside}) said.folders.insert(fs::absolute(place).parent_path().string());
   said.add(host::words_of(text.json));
   std::set<std::string> plugins;

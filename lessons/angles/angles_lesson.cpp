@@ -13,7 +13,7 @@ using toolkit::vec;
 namespace {
 
 constexpr double kMarkRadius = 0.3e-3;  // m, drawn
-// How far from the place the mark stands to which what is shown points, m: less than a pixel, so that it does not tell the answer.
+// Distance of the mark from the place, along the axis that the shown object is to take, m: less than a pixel, so that it hides the answer.
 constexpr double kBeside = 10e-6;
 
 }  // namespace
@@ -54,7 +54,7 @@ void AnglesLesson::bind(const Scene& scene, Binder& binder) {
       binder.error("\"" + params_.tissue + "\" has no surface that could be pierced");
   }
   if (binder.failed()) return;
-  point_ = binder.mark_point({0, 0, 0}, kMarkRadius, "shown.point");  // who shows waits until it moves
+  point_ = binder.mark_point({0, 0, 0}, kMarkRadius, "shown.point");  // the assisting hand waits until this mark moves
   one_ = binder.mark_point(params_.answer_place, kMarkRadius, "answer.one");
   other_ = binder.mark_point(params_.answer_place, kMarkRadius, "answer.other");
 }
@@ -76,7 +76,7 @@ void AnglesLesson::activate(double dt_s) {
   stereo_ = eyes == SWAGE_EYES_NONE ? p.stereo : eyes == SWAGE_EYES_STEREO;
 }
 
-/// Reference, axes, and which way what is shown really leads, from its point or tips to its other end.
+/// Reads the reference, the axes, and the true direction of the shown object, from its point or tips to its other end.
 bool AnglesLesson::see(const View& scene, Frame& frame, Vec3& up_W) const {
   if (params_.between == Between::kSurface) {
     const auto point = needle_.place(scene.object(needle_object_), 0);
@@ -126,7 +126,7 @@ void AnglesLesson::show(const Memory& memory, const Finding& finding, const Fram
                         const Verdict& verdict) const {
   const size_t axis = Judge::axis_of(memory);
   const double lean = Judge::lean_of(memory);
-  // while it is told, what was shown stays; between the questions the two answers are one place
+  // a new question moves the mark of the shown object; outside the answer time both answer marks are at one place
   if (finding.draw) {
     const Vec3 up = std::cos(lean) * frame.square + std::sin(lean) * frame.axis[axis];
     const swage_vec3 way = raw(Vec3(vec(params_.place) - kBeside * up));

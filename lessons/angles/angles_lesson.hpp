@@ -99,7 +99,7 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   void reset(std::span<double> state) override { as<Memory>(state) = {}; }
 
  private:
-  /// What is perpendicular to the reference, and the two axes of a lean; unit, W.
+  /// Normal of the reference, and the two axes of a lean; unit, W.
   struct Frame {
     Vec3 square = Vec3::UnitZ(), axis[kAxes];
   };
@@ -110,7 +110,7 @@ class AnglesLesson final : public Lesson<AnglesParams> {
 
   AnglesParams params_;
   Judge judge_;
-  bool stereo_ = false;  // as the host says; where it does not, as the lesson file does
+  bool stereo_ = false;  // from the host, or from the lesson file where the host does not know
   Peer gripper_, assistant_, needle_, tissue_;
   uint32_t gripper_object_ = kNone, assistant_object_ = kNone, needle_object_ = kNone, tissue_object_ = kNone;
   Mark point_, one_, other_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the angle lesson measures and signals: the one table behind its declarations, `swage describe` and angles.md.
+// Metrics and cues of the angle lesson: the one table behind its declarations, `swage describe` and angles.md.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ inline constexpr swage_metric_info kMetrics[] = {
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-/// What they are called, and which are shown first.
+/// Titles of the metrics, and the order in which the first ones are shown.
 inline constexpr swage_metric_label kLabels[] = {
     lessons::label("time.task", "Active time", SWAGE_SHOW_QUANTITY, 5, nullptr, "par_time"),
     lessons::kTaskSuccessLabel,
@@ -65,7 +65,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Answer {questions} questions.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Be off by at most {max_bias} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},

@@ -4,7 +4,7 @@
 namespace swage::lesson_angles {
 namespace {
 
-// What a trained eye reaches with so few answers costs nothing, rad: 2 and 3 deg.
+// Bias and JND without a deduction, rad: 2 and 3 deg, within reach of a trained eye with so few answers.
 constexpr double kGoodBias = 0.0349, kGoodJnd = 0.0524;
 
 double share(double value, double good, double most) {
@@ -50,7 +50,7 @@ void Judge::ask(Memory& memory, const Look& look, Finding& finding) const noexce
   if (memory.armed == 0 || look.opening > rules_.closed) return;
   memory.armed = 0;
   const double one = (look.tip_W - look.one_W).norm(), other = (look.tip_W - look.other_W).norm();
-  if (std::min(one, other) > rules_.reach) return;  // closed elsewhere: no answer
+  if (std::min(one, other) > rules_.reach) return;  // closed away from the marks: no answer
   const bool to_other = other < one;
   const size_t axis = axis_of(memory), shown = static_cast<size_t>(memory.shown);
   finding.answered = true;
@@ -94,7 +94,7 @@ Points Judge::points(const Memory& memory, double time_s) const noexcept {
 }
 
 double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
-  // an attempt that did not pass is worth at most 40; guessing is worth nothing
+  // an attempt that did not pass is worth at most 40; guessing scores 0
   const double right = memory.rights / std::max<double>(rules_.questions, answers(memory));
   if (!passed) return 40 * std::max(0.0, 2 * right - 1);
   return std::clamp(100 - lost.sum(), 40.0, 100.0);

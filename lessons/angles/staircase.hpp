@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which angle to show next, and what the answers say about an eye. Pure arithmetic; doubles only. Sources: angles.md.
+// Staircase for the next angle, and estimate of bias and threshold from the answers. Pure arithmetic; doubles only. Sources: angles.md.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace swage::lesson_angles {
 struct TrackState {
   double level = 0, step = 0;  // rad
   double rights = 0;           // right answers in a row
-  double way = 0;              // of the last step: -1 down, 1 up, 0 none yet
+  double way = 0;              // direction of the last step: -1 down, 1 up, 0 none yet
   double reversals = 0, count = 0;
 };
 
@@ -34,7 +34,7 @@ class Track {
   void answer(TrackState& s, bool agrees) const noexcept {
     s.count += 1;
     s.rights = agrees ? s.rights + 1 : 0;
-    // until the first reversal one right answer is enough: the way down is long
+    // until the first reversal one right answer is enough for a step down: the start is far above the threshold
     const double way = !agrees ? 1 : s.rights >= 2 || s.reversals == 0 ? -1 : 0;
     if (way == 0) return;
     if (s.way != 0 && way != s.way) {
@@ -47,7 +47,7 @@ class Track {
   }
 
  private:
-  // First step over first lean: 16, 10, 4, -2 deg. Not a half of it: a lean of nothing has no right answer.
+  // First step over first lean: 16, 10, 4, -2 deg. Not a half of it: a lean of 0 has no right answer.
   static constexpr double kFirst = 0.375;
 
   double start_ = 0.28, least_ = 0.017;
@@ -58,15 +58,15 @@ class Track {
 struct AnswersState {
   static constexpr size_t kMost = 64;
   double n = 0;
-  double lean[kMost] = {};   // rad, as it was
+  double lean[kMost] = {};   // rad, true lean
   double other[kMost] = {};  // 1 or -1
-  double bias = 0;           // rad: what was seen minus what was
+  double bias = 0;           // rad: perceived lean minus true lean
   double spread = 0;         // rad, standard deviation
 };
 
 class Answers {
  public:
-  /// Just-noticeable difference over spread: the lean that is told right in 75 % of the answers by an eye without bias.
+  /// Just-noticeable difference over spread: the lean with 75 % right answers of an observer without bias.
   static constexpr double kNoticed = 0.674489750196082;
 
   /// [rt]
@@ -84,7 +84,7 @@ class Answers {
   struct Sums {
     double ga = 0, gb = 0, aa = 0, ab = 0, bb = 0;  // gradient and information of the log likelihood
   };
-  // Answers that nobody gave, against reason, at the widest angles: they keep the curve finite while all answers are right. A hundredth
+  // Weight of artificial answers, right and wrong, at the widest angles: they keep the fit finite while all answers are right. A hundredth
   // of an answer each moves a spread of 5 deg by less than its own uncertainty; without them the fit diverges.
   static constexpr double kDoubt = 0.01;
   static constexpr int kIterations = 12;
@@ -114,7 +114,7 @@ class Answers {
       a += (sums.bb * sums.ga - sums.ab * sums.gb) / det;
       b += (sums.aa * sums.gb - sums.ab * sums.ga) / det;
     }
-    // an eye that sees nothing has a curve without slope: its spread is told as twice the widest angle
+    // guessing gives a curve without slope: its spread is reported as twice the widest angle
     const double slope = std::max(b, 0.5);
     s.spread = widest / slope;
     s.bias = std::clamp(a / slope, -1.0, 1.0) * widest;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Metrics and channels that several lessons declare alike: the same id means the same number in all of them.
+// Metrics and channels of several lessons: the same id means the same number in all of them.
 #pragma once
 
 #include <swage/abi/lesson_card.h>
@@ -16,12 +16,12 @@ inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force 
 inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kBending = {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D};
 inline constexpr swage_metric_info kPath = {"motion.path", "m", "Length of the path of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
-// It describes and does not rate: in 020 the expert, who comes to the needle in two parts, has -1.87 and a novice -1.40.
+// Not rated: in 020 the expert, who approaches the needle in two movements, has -1.87 and a novice -1.40.
 inline constexpr swage_metric_info kSparc = {"motion.sparc", "1", "Smoothness of the movements: spectral arc length, median over the movements of the tips; about -1.4 of one that is smooth.", "- arc length of the normalised spectrum of the speed below 6 Hz, up to 10 Hz", "M27", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kLdlj = {"motion.ldlj", "1", "Smoothness of the long movements: log dimensionless jerk, median over movements of the tips beyond 20 mm; about -5.3 of one that is smooth.", "- ln(T^3 / peak^2 integral of (d2v/dt2)^2 dt)", "M28", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kPathOfBoth = {"motion.path", "m", "Length of the paths of both pairs of tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 
-/// Points of 100 that something cost; told at the end.
+/// Metric of points deducted, of 100; reported at the end.
 constexpr swage_metric_info points(const char* id, const char* doc, const char* formula) {
   return {id, "1", doc, formula, "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE};
 }
@@ -29,7 +29,7 @@ inline constexpr swage_metric_info kPointsTime = points("points.time", "Points l
 
 inline constexpr swage_metric_info kPointsBending = points("points.bending", "Points lost for bending the needle.", "20 clamp((needle.bending - 0.7) / 0.3, 0, 1)");
 
-/// Labels of the metrics above. `rank`: place among what is shown first, 0 on demand.
+/// Labels of the metrics above. `rank`: place among the metrics that are shown first; 0: shown on demand.
 constexpr swage_metric_label label(const char* id, const char* title, int32_t show = SWAGE_SHOW_QUANTITY, int32_t rank = 0, const char* least = nullptr, const char* most = nullptr) {
   return {id, title, show, rank, least, most};
 }

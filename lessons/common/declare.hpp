@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every lesson says in build(): the cues and metrics of its card, and intervals that must be in order. [main]
+// Declarations of every lesson in build(): the cues and metrics of its card, and checks of its intervals. [main]
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -12,7 +12,7 @@
 namespace swage::lessons {
 
 /// Declares the cues and metrics of a card; each array has one entry for each row of its table. `shows(i)`: whether a lesson with
-/// these parameters can show cue i at all; the others stay out of its legend. `tells(i)`: likewise metric i.
+/// these parameters can show cue i at all; the others stay out of its legend. `tells(i)`: likewise for reporting metric i.
 template <size_t cues, size_t metrics, class Shows, class Tells>
 void declare_card(LessonBuilder& builder, const swage_cue_info (&cue_info)[cues], Cue (&cue)[cues],
                   const swage_metric_info (&metric_info)[metrics], Metric (&metric)[metrics], const Shows& shows, const Tells& tells) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lessons say about the force of the jaws: its mean and peak while held, and the sign that it is too much.
+// Force of the jaws, for several lessons: its mean and peak while held, and the cue of too much force.
 #pragma once
 
 #include "common/low_pass.hpp"
@@ -14,17 +14,17 @@ struct GripState {
   QuantileState quantile;          // of the force while held
   double now = 0;                  // N, below kBand
   double held_s = 0, force_s = 0;  // s, N s
-  double hard = 0, until_s = 0;    // 0 or 1; s, how long the sign stays at least
+  double hard = 0, until_s = 0;    // 0 or 1: the cue is shown; s, earliest time of its end
 };
 
 class GripWatch {
  public:
   GripWatch() = default;
-  /// limit [N]: above it the sign is shown.
+  /// limit [N]: above it the cue is shown.
   GripWatch(double limit, double dt)
       : limit_(limit), filter_(kBand, dt, LowPass::kCritical), quantile_(kTop * limit) {}
 
-  /// force [N] of the jaws in this step of dt [s]. [rt]
+  /// Adds the force [N] of the jaws in this step of dt [s]. [rt]
   void look(GripState& state, double force, bool held, double time_s, double dt) const noexcept {
     state.now = filter_.next(state.filter, force);
     if (held) {
@@ -43,15 +43,15 @@ class GripWatch {
   static bool too_hard(const GripState& state) { return state.hard != 0; }
   /// Mean force while held, N; 0 before anything was held (M15).
   static double mean(const GripState& state) { return state.held_s > 0 ? state.force_s / state.held_s : 0; }
-  /// Force that was exceeded for one two-hundredth of the held time, N (M16).
+  /// Peak force, N: exceeded for 0.5 % of the held time (M16).
   double peak(const GripState& state) const { return quantile_.at(state.quantile, 0.995); }
 
  private:
-  // Forces are judged without what the hand cannot control: above this is noise of contact, Hz.
+  // Cut-off of the low pass, Hz: a hand controls its force below it; above it is noise of the contact.
   static constexpr double kBand = 20;
-  // The sign stays at least this long, s, and goes when the force falls below this share of the limit.
+  // The cue is shown at least this long, s, and until the force falls below this share of the limit.
   static constexpr double kSignTime = 0.3, kSignLeaves = 0.9;
-  // The histogram of the force ends at so many limits.
+  // Upper end of the histogram of the force, in limits.
   static constexpr double kTop = 4;
 
   double limit_ = 1;

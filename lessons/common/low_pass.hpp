@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Causal low passes for metrics that must not see tremor or noise. The memory lives with the lesson's private numbers, so
+// Causal low-pass filters for metrics without tremor and noise. Their state lies in the lesson's private numbers, so
 // that it is saved and restored with them.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace swage::lessons {
 
-/// Memory of one section: doubles only.
+/// State of one section: doubles only.
 struct LowPassState {
   double started = 0;  // 0 or 1
   double m1 = 0, m2 = 0;
@@ -18,7 +18,7 @@ struct LowPassState {
 /// One section of order two: H(s) = 1 / (s^2 + s/q + 1) at s = i f / cut_off.
 class LowPass {
  public:
-  /// No overshoot: for what is compared with a limit. Half the amplitude is left at the cut-off.
+  /// q without overshoot, for values that are compared with a limit. Half the amplitude is left at the cut-off.
   static constexpr double kCritical = 0.5;
 
   LowPass() = default;
@@ -31,7 +31,7 @@ class LowPass {
     a2_ = (1 - k / q + k * k) * norm;
   }
 
-  /// The first value is taken as having stood for ever. [rt]
+  /// Filters one value. The filter starts in the steady state of the first value. [rt]
   double next(LowPassState& state, double x) const noexcept {
     if (state.started == 0) state = {1, (1 - b_) * x, (b_ - a2_) * x};
     // transposed direct form II

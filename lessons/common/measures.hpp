@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers about a hand that several lessons report: rest, spread, quantile, tremor. Each keeps its memory in a struct of
+// Numbers about a hand that several lessons report: rest, spread, quantile, tremor. Each keeps its state in a struct of
 // doubles that a lesson puts among its private numbers. Definitions: lessons/grasp/grasp.md.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace swage::lessons {
 
 using toolkit::Vec3;
 
-/// Points of 100 that bending the needle costs, from its greatest moment over that of yield: none below 0.7, where a wire springs back
-/// with a margin, 20 from yield on.
+/// Points deducted, of 100, for bending the needle; `bending`: greatest moment over the yield moment. None below 0.7, where a wire springs
+/// back with a margin, 20 from yield on.
 inline double bending_points(double bending) noexcept {
   constexpr double kGood = 0.7, kMost = 20;
   return kMost * std::clamp((bending - kGood) / (1 - kGood), 0.0, 1.0);
@@ -33,11 +33,11 @@ inline void spread(SpreadState& state, double x, double dt) noexcept {
   state.m2 += dt * d * (x - state.mean);
 }
 inline double deviation(const SpreadState& state) {
-  // one sample divided by its own weight may round past itself: a square of -1e-17, whose root is no number
+  // rounding may make the sum of squares of one sample negative, about -1e-17, whose root is NaN
   return state.weight > 0 ? std::sqrt(std::max(0.0, state.m2) / state.weight) : 0;
 }
 
-/// Quantile of a value over time from a histogram: kBins equal bins from 0 to `top`, the last takes what is above.
+/// Quantile of a value over time from a histogram: kBins equal bins from 0 to `top`; values above it count in the last.
 struct QuantileState {
   static constexpr int kBins = 128;
   double bin[kBins] = {};
@@ -52,7 +52,7 @@ class Quantile {
     state.bin[i] += dt;
     state.most = std::max(state.most, x);
   }
-  /// Value that is exceeded for the share 1 - q of the time, linear within a bin; never above the greatest value seen.
+  /// Value exceeded for the share 1 - q of the time, linear within a bin; at most the greatest value added.
   double at(const QuantileState& state, double q) const noexcept {
     double all = 0, sum = 0;
     for (const double t : state.bin) all += t;
@@ -72,17 +72,17 @@ class Quantile {
   double width_ = 0.02;
 };
 
-/// Time in which an instrument does nothing: for more than 0.5 s its tips, the opening of its jaws and their force have stayed (M03).
+/// Idle time of an instrument: its tips, the opening of its jaws and their force have not changed for more than 0.5 s (M03).
 struct IdleState {
-  double at[3] = {0, 0, 0}, opening = 0, force = 0;  // m, rad, N: where it has stayed
+  double at[3] = {0, 0, 0}, opening = 0, force = 0;  // m, rad, N: values that have not changed
   double still_s = 0, idle_s = 0, all_s = 0;
 };
 class IdleWatch {
  public:
-  /// `voluntary_W`: place of the tips without tremor, m. `opening` [rad] and `force` [N] of the jaws, which do something while they close or
-  /// press harder. `counts`: the hand has set off and is in no hold. [rt]
+  /// `voluntary_W`: position of the tips without tremor, m. `opening` [rad] and `force` [N] of the jaws, which are not idle while they
+  /// close or press harder. `counts`: the hand has set off and is in no hold. [rt]
   static void look(IdleState& state, const Vec3& voluntary_W, double opening, double force, double dt, bool counts) noexcept {
-    // m: 0.2 mm/s for 0.5 s, above what a tremor of 100 um leaves below 6 Hz; rad, 1 deg; N; s
+    // m: 0.2 mm/s for 0.5 s, more than a tremor of 100 um leaves below 6 Hz; rad, 1 deg; N; s
     constexpr double kPlace = 0.1e-3, kOpening = std::numbers::pi / 180, kForce = 0.05, kFor = 0.5;
     Eigen::Map<Vec3> at(state.at);
     const bool still = counts && (voluntary_W - at).norm() < kPlace && std::abs(opening - state.opening) < kOpening &&
@@ -97,8 +97,8 @@ class IdleWatch {
   static double share(const IdleState& state) { return state.all_s > 0 ? state.idle_s / state.all_s : 0; }
 };
 
-/// Two equal sections H(s) = (s/q) / (s^2 + s/q + 1) in a row: unity in the middle of the band, 0.707 at its ends; slow
-/// movement is left by (f / middle / q)^2. Bilinear, warped so that the middle is exact.
+/// Band pass of two equal sections H(s) = (s/q) / (s^2 + s/q + 1): gain 1 in the middle of the band, 0.707 at its ends; of slow
+/// movement (f / middle / q)^2 remains. Bilinear, warped so that the middle is exact.
 struct BandPassState {
   LowPassState first, second;
 };
@@ -106,7 +106,7 @@ class BandPass {
  public:
   BandPass() = default;
   BandPass(double low, double high, double dt) {
-    // each section leaves 0.707^(1/2) at the ends: q |f/middle - middle/f| = (2^(1/2) - 1)^(1/2)
+    // each section has the gain 0.707^(1/2) at the ends: q |f/middle - middle/f| = (2^(1/2) - 1)^(1/2)
     const double middle = std::sqrt(low * high), q = std::sqrt(std::sqrt(2.0) - 1) * middle / (high - low);
     const double k = std::tan(std::numbers::pi * middle * dt);
     const double norm = 1 / (1 + k / q + k * k);
@@ -114,7 +114,7 @@ class BandPass {
     a1_ = 2 * (k * k - 1) * norm;
     a2_ = (1 - k / q + k * k) * norm;
   }
-  /// The first value is taken as having stood for ever. [rt]
+  /// Filters one value. The filter starts in the steady state of the first value. [rt]
   double next(BandPassState& state, double x) const noexcept {
     return section(state.second, section(state.first, x));
   }
@@ -131,7 +131,7 @@ class BandPass {
   double b_ = 0, a1_ = 0, a2_ = 0;
 };
 
-/// Root mean square of the shaking of a point, 8 to 12 Hz, while a hold runs (M30).
+/// Tremor: root mean square displacement of a point in the band 8 to 12 Hz during a hold (M30).
 struct TremorState {
   BandPassState x, y, z;
   double square_s = 0, time_s = 0;  // m2 s, s

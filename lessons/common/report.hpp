@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What several lessons tell alike. [rt]
+// Metrics that several lessons report in the same form. [rt]
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -9,7 +9,7 @@
 
 namespace swage::lessons {
 
-/// Smoothness of all hands; told once there was a movement, and a long one.
+/// Reports the smoothness of all hands: SPARC after the first movement, LDLJ after the first long one.
 inline void report_smoothness(const Verdict& verdict, Metric sparc, Metric ldlj, std::span<const PathState> hands) noexcept {
   if (const auto value = smoothness(hands, &MovesState::sparc)) verdict.metric(sparc, *value);
   if (const auto value = smoothness(hands, &MovesState::ldlj)) verdict.metric(ldlj, *value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules that several judges have alike, each set by the parameter of the same name. [main]
+// Rules that several judges share, each set by the parameter of the same name. [main]
 #pragma once
 
 namespace swage::lessons {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences of several lessons about what a scene lacks. Tests name them, and never repeat their words.
+// Messages of several lessons about missing parts of a scene. Tests refer to the constants and do not repeat the text.
 #pragma once
 
 #include "toolkit/sentence.hpp"
@@ -9,7 +9,7 @@ namespace swage::lessons::say {
 
 using toolkit::operator""_sentence;
 
-inline constexpr auto kWatched = "which this lesson watches"_sentence;  // why Binder::missing() asks for it
+inline constexpr auto kWatched = "which this lesson watches"_sentence;  // `why` of Binder::missing()
 inline constexpr auto kNoObject = R"(there is no object "{}" in the scene; it has: {})"_sentence;
 inline constexpr auto kNoGripper = R"("{}" cannot grip; the lesson watches the tips of a gripper)"_sentence;
 inline constexpr auto kNoGrasp = R"(nothing in the scene tells about a grasp; add to "couplings" a "swage.coupling.grasp")"_sentence;

@@ -7,7 +7,7 @@
 //           f0, f1: first and last frequency up to 10 Hz with M >= 0.05
 //   LDLJ  = - ln(T^3 / v_peak^2 * integral of (d2v/dt2)^2 dt)
 //
-// V is summed sample by sample on a fixed grid of frequencies, so that no movement is stored: V(f) -> V(f) e^(i w h) + v has the magnitude
+// V is summed sample by sample on a fixed grid of frequencies, and no movement is stored: V(f) -> V(f) e^(i w h) + v has the magnitude
 // of the transform. Pure arithmetic on doubles. Threads: built on [main], the rest [rt]; nothing allocates.
 #pragma once
 
@@ -25,8 +25,8 @@ using toolkit::Vec3;
 
 /// The spectrum of one speed profile.
 struct SpectrumState {
-  // 0 to 10 Hz by 0.025 Hz, as finely as the authors' padding has a movement of 2.5 s; one of 5 s loses 0.7 % of its arc length, one
-  // of 10 s 4 %.
+  // 0 to 10 Hz by 0.025 Hz, the resolution of the authors' zero padding for a movement of 2.5 s; a movement of 5 s loses 0.7 % of its arc
+  // length, one of 10 s 4 %.
   static constexpr size_t kFrequencies = 401;
   double re[kFrequencies] = {}, im[kFrequencies] = {};
 };
@@ -37,14 +37,14 @@ class Spectrum {
   static constexpr double kThreshold = 0.05;  // of the greatest magnitude
 
   Spectrum() = default;
-  /// h [s]: from one speed to the next, at most 0.05.
+  /// h [s]: sampling interval of the speeds, at most 0.05.
   explicit Spectrum(double h) {
     for (size_t k = 0; k < SpectrumState::kFrequencies; ++k) {
       const double turn = 2 * std::numbers::pi * kTop * static_cast<double>(k) / (SpectrumState::kFrequencies - 1) * h;
       cos_[k] = std::cos(turn), sin_[k] = std::sin(turn);
     }
   }
-  /// A speed, in any unit. [rt]
+  /// Adds a speed, in any unit. [rt]
   void add(SpectrumState& s, double v) const noexcept {
     for (size_t k = 0; k < SpectrumState::kFrequencies; ++k) {
       const double re = s.re[k], im = s.im[k];
@@ -52,7 +52,7 @@ class Spectrum {
       s.im[k] = re * sin_[k] + im * cos_[k];
     }
   }
-  /// SPARC; 0 of what did not move. [rt]
+  /// SPARC; 0 without movement. [rt]
   static double arc_length(const SpectrumState& s) noexcept {
     double most = 0;
     for (size_t k = 0; k < SpectrumState::kFrequencies; ++k) most = std::max(most, magnitude(s, k));
@@ -77,9 +77,9 @@ class Spectrum {
 struct JerkState {
   double samples = 0, peak = 0, length = 0;  // 1, m/s, m
   double before[2] = {};                     // m/s, the last two speeds
-  double square = 0;                         // (m/s3)^2, sum of the second derivatives
+  double square = 0;                         // (m/s3)^2, sum of the squared second derivatives
 };
-/// A speed [m/s], h [s] after the one before. [rt]
+/// Adds a speed [m/s], h [s] after the one before. [rt]
 inline void add_jerk(JerkState& s, double v, double h) noexcept {
   if (s.samples >= 2) {
     const double second = (v - 2 * s.before[0] + s.before[1]) / (h * h);
@@ -90,17 +90,17 @@ inline void add_jerk(JerkState& s, double v, double h) noexcept {
   s.peak = std::max(s.peak, v);
   s.length += v * h;
 }
-/// LDLJ; 0 of what did not move. [rt]
+/// LDLJ; 0 without movement. [rt]
 inline double log_jerk(const JerkState& s, double h) noexcept {
   const double T = s.samples * h;
   const double jerk = s.peak > 0 ? T * T * T / (s.peak * s.peak) * s.square * h : 0;
   return jerk > 0 ? -std::log(jerk) : 0;
 }
 
-/// Values of which the median is asked; the first kMost of them count.
+/// Values for a median; the first kMost of them count.
 struct MedianState {
   static constexpr size_t kMost = 128;
-  double n = 0, value[kMost] = {};  // in order
+  double n = 0, value[kMost] = {};  // sorted
 };
 inline void add_value(MedianState& s, double x) noexcept {
   const auto n = static_cast<size_t>(s.n);
@@ -120,19 +120,19 @@ struct MovesState {
   static constexpr size_t kAround = 20;  // samples before and after a movement, 0.2 s
   SpectrumState spectrum;
   JerkState jerk;
-  double steps = 0, seen = 0;                 // of the present sample; 0 or 1
+  double steps = 0, seen = 0;                 // steps since the last sample; 0 or 1, there was a sample
   double last[3] = {0, 0, 0};                 // m
   double moving = 0;                          // 0 or 1
-  double around[kAround] = {}, n_around = 0;  // m/s: slow samples that belong to the movement if it goes on
+  double around[kAround] = {}, n_around = 0;  // m/s: slow samples, part of the movement if it continues
   MedianState sparc, ldlj;                    // of all movements
 };
-/// Cuts the voluntary motion of a point into movements: above 0.5 mm/s, with the 0.2 s before and after; pauses below 0.2 s are part of them.
+/// Segments the voluntary motion of a point into movements: speed above 0.5 mm/s, with 0.2 s before and after; shorter pauses are included.
 class MovesWatch {
  public:
   MovesWatch() = default;
   explicit MovesWatch(double dt) : every_(std::max(1.0, std::round(kPeriod / dt))), h_(every_ * dt), spectrum_(h_) {}
 
-  /// The voluntary part of a place. [rt]
+  /// Adds the position of the point without tremor. [rt]
   void look(MovesState& s, const Vec3& now) const noexcept {
     s.steps += 1;
     if (s.seen != 0 && s.steps < every_) return;
@@ -145,14 +145,14 @@ class MovesWatch {
   }
 
  private:
-  // Rate at which speeds are taken, s; a hand's voluntary motion is below 6 Hz, so that nothing folds back.
+  // Sampling interval of the speed, s; a hand's voluntary motion is below 6 Hz, so there is no aliasing.
   static constexpr double kPeriod = 0.01;
-  static constexpr double kSlow = 0.5e-3;    // m/s: a tremor of 40 um leaves 0.4 mm/s below 6 Hz; more cuts slow reaches short
-  static constexpr double kQuick = 2e-3;     // m/s, which a movement reaches (M01)
-  static constexpr double kShortest = 0.15;  // s (M24)
-  static constexpr double kLong = 20e-3;     // m: of shorter ones LDLJ says how small they are and not how smooth (catalogue, 10.1)
+  static constexpr double kSlow = 0.5e-3;    // m/s: a tremor of 40 um leaves 0.4 mm/s below 6 Hz; a larger value shortens slow reaches
+  static constexpr double kQuick = 2e-3;     // m/s, least peak of a movement (M01)
+  static constexpr double kShortest = 0.15;  // s, least duration of a movement (M24)
+  static constexpr double kLong = 20e-3;     // m: LDLJ of a shorter movement measures its length, not its smoothness (catalogue, 10.1)
 
-  // the slow samples around it belong to its spectrum; its jerk is that of the time in which it moved
+  // the slow samples before and after a movement enter its spectrum, but not its jerk
   void sample(MovesState& s, double v) const noexcept {
     if (v > kSlow) {
       for (size_t i = 0; i < static_cast<size_t>(s.n_around); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What several lessons watch: the way of the tips and how smooth it is, and things that fall. Each keeps its memory in a struct of doubles that
-// a lesson puts among its private numbers.
+// Observers for several lessons: path length and smoothness of the tips, and dropped objects. Each keeps its state in a struct of doubles
+// that a lesson puts among its private numbers.
 #pragma once
 
 #include <cmath>
@@ -14,15 +14,15 @@
 
 namespace swage::lessons {
 
-// Voluntary movement of a hand lies below this, Hz: tremor (8-12 Hz) must not count as way travelled.
+// Upper limit of a hand's voluntary movement, Hz: tremor (8-12 Hz) must not count as path length.
 inline constexpr double kVoluntary = 6;
 
-/// Way of a point, its voluntary part only; and when it set off.
+/// Path length of a point without tremor, and the time when it set off.
 struct PathState {
   LowPass4State x, y, z;
   double last[3] = {0, 0, 0};  // m, filtered
   double length = 0;           // m
-  double quick_s = 0;          // s, how long it has been quicker than a rest
+  double quick_s = 0;          // s, for which it has been quicker than 2 mm/s
   double set_off_s = -1;       // s, when the movement began; -1: not yet
   MovesState moves;
 };
@@ -32,7 +32,7 @@ class PathWatch {
   PathWatch() = default;
   explicit PathWatch(double dt) : filter_(kVoluntary, dt), moves_(dt), dt_(dt) {}
 
-  /// [rt]
+  /// Observes the point in one step. [rt]
   void look(PathState& state, const Vec3& p_W, double time_s) const noexcept {
     const bool first = state.x.first.started == 0;
     const Vec3 now(filter_.next(state.x, p_W.x()), filter_.next(state.y, p_W.y()),
@@ -43,7 +43,7 @@ class PathWatch {
     state.length += way;
     moves_.look(state.moves, now);
 
-    // it has set off once it was quicker than 2 mm/s for 0.1 s
+    // the point has set off once it has been quicker than 2 mm/s for 0.1 s
     constexpr double kRest = 2e-3, kFor = 0.1;
     state.quick_s = way > kRest * dt_ ? state.quick_s + dt_ : 0;
     if (state.set_off_s < 0 && state.quick_s >= kFor) state.set_off_s = time_s - state.quick_s;
@@ -55,7 +55,7 @@ class PathWatch {
   double dt_ = 1e-3;
 };
 
-/// Median over the movements of all hands: `which` is &MovesState::sparc or &MovesState::ldlj. Nothing before there was one. [rt]
+/// Median over the movements of all hands: `which` is &MovesState::sparc or &MovesState::ldlj. Empty before the first movement. [rt]
 inline std::optional<double> smoothness(std::span<const PathState> hands, MedianState MovesState::*which) noexcept {
   MedianState all;
   for (const PathState& hand : hands) {
@@ -74,19 +74,19 @@ inline double time_since_set_off(std::span<const PathState> hands, double time_s
   return first < 0 ? 0 : time_s - first;
 }
 
-/// A thing that should be held or lie still, and whether it fell.
+/// An object that should be held or lie still, and the place from which a drop is measured.
 struct DropState {
   double armed = 0;          // 0 or 1
-  double at[3] = {0, 0, 0};  // m, where it was left
+  double at[3] = {0, 0, 0};  // m, place where it was last held or rested
 };
 
 class DropWatch {
  public:
   DropWatch() = default;
-  /// It has dropped when it is further than this from where it was left [m].
+  /// `distance` [m]: an object further than this from its last place, and not held, has been dropped.
   explicit DropWatch(double distance) : distance_(distance) {}
 
-  /// True in the step in which the thing has dropped. [rt]
+  /// True in the step in which the object is found dropped. [rt]
   bool look(DropState& state, const Vec3& p_W, bool held) const noexcept {
     Eigen::Map<Vec3> at(state.at);
     if (held) {
@@ -100,7 +100,7 @@ class DropWatch {
     return true;
   }
 
-  /// The thing rests here; from now on leaving the place unheld is a drop. [rt]
+  /// Sets the place of a resting object; leaving it without being held is a drop from now on. [rt]
   static void rest(DropState& state, const Vec3& p_W) noexcept {
     Eigen::Map<Vec3>(state.at) = p_W;
     state.armed = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Finding in a scene what a grasping lesson watches, with a sentence for what is missing.
+// Finds the objects and signals that a grasping lesson watches, and reports those that are missing.
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -12,19 +12,19 @@
 
 namespace swage::lessons {
 
-/// Place of an enumerator in the tables of a lesson.
+/// Index of an enumerator in the tables of a lesson.
 template <class Enum>
 constexpr size_t index(Enum value) {
   return static_cast<size_t>(value);
 }
 
-/// One grasp coupling, as seen by a lesson.
+/// Signals and events of one grasp coupling.
 struct GraspSignals {
   Signal held, force, s, tip_reach, tilt_axis, tilt_plane, balance;
   Event touched, taken, released;
 };
 
-/// Every instance that tells about a grasp, in the order of the lesson file.
+/// Names of all instances with signals of a grasp, in the order of the lesson file.
 inline std::vector<std::string> grasp_owners(const Scene& scene) {
   std::vector<std::string> owners;
   for (uint32_t i = 0; i < scene->n_signal; ++i) {
@@ -50,7 +50,7 @@ inline GraspSignals find_grasp(const Scene& scene, Binder& binder, const std::st
           event("grasp.released")};
 }
 
-/// Index of an object that a parameter names, or kNone and a sentence.
+/// Index of the object that a parameter names; kNone, with an error reported, where there is none.
 inline uint32_t find_object(const Scene& scene, Binder& binder, const std::string& name) {
   const uint32_t index = scene.find_object(name);
   if (index != kNone) return index;
@@ -62,7 +62,7 @@ inline uint32_t find_object(const Scene& scene, Binder& binder, const std::strin
   return kNone;
 }
 
-/// The gripper that a parameter names: an object that offers the trait.
+/// The gripper that a parameter names: an object with the trait gripper.
 inline Peer find_gripper(const Scene& scene, Binder& binder, const std::string& name, uint32_t& index) {
   index = find_object(scene, binder, name);
   if (index == kNone) return Peer();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson of faulty knots measures and signals: the one table behind its declarations, `swage describe` and fault.md.
+// Metrics and cues of the lesson of faulty knots: the one table behind its declarations, `swage describe` and fault.md.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace swage::lesson_fault {
 
-/// Order of kMetrics; those of what was pulled in the order of Knot.
+/// Order of kMetrics; those of pulled knots in the order of Knot.
 enum class Measure : size_t {
   kTime,
   kSuccess,
@@ -79,7 +79,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Name at least {least_right} of the knots right.", nullptr, SWAGE_CRITERION_PASS, 0},
     lessons::kMaxTime,

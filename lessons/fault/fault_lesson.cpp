@@ -68,7 +68,7 @@ void FaultLesson::bind(const Scene& scene, Binder& binder) {
     if (!one.strand.valid()) binder.error(lessons::say::kNoThread(thread));
   }
   shown_ = binder.mark_point({0, 0, 0}, kShownRadius, "shown.point");
-  pull_ = binder.mark_point({0, 0, 0}, kAnswerRadius, "pull.point");  // who pulls waits until it moves
+  pull_ = binder.mark_point({0, 0, 0}, kAnswerRadius, "pull.point");  // the assisting hand that pulls waits until this mark moves
   for (size_t i = 0; i < kKnots; ++i) answer_[i] = binder.mark_point(raw(answer_W(i)), kAnswerRadius, kAnswers[i]);
 }
 
@@ -111,7 +111,7 @@ void FaultLesson::observe(const View& view, const Verdict& verdict, std::span<do
   say(memory, look, finding, verdict);
 }
 
-/// The mark that shows is where the knot is, above its loop; that of the pull where the tips of who pulls are: they wait for it.
+/// Moves the mark of the shown knot to its loop, and the mark of the pull to the tips that pull: the assisting hands wait for these marks.
 void FaultLesson::show(const View& view, const Memory& memory, const Look& look, const Finding& finding, const Verdict& verdict) const {
   if (finding.answered) {
     const swage_vec3 at = raw(look.puller_W);

@@ -90,7 +90,7 @@ class FaultLesson final : public Lesson<FaultParams> {
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[5];         // by Stage, but for kPull
-  Phase pulled_[kKnots];   // what it is, once it was named
+  Phase pulled_[kKnots];   // by Knot: kPull, once a knot was named
   Event failed_[4];        // by End
   Event answered_, held_, gave_way_;
 };

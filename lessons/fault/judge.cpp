@@ -8,7 +8,7 @@ namespace {
 
 // Tension from which on a loop is taut, N.
 constexpr double kTaut = 1e-3;
-// Share of the load that counts as borne: who draws comes near to it and stays a little below.
+// Share of the load that counts as borne: the pulling hand approaches the load and stays a little below it.
 constexpr double kBorne = 0.95;
 
 }  // namespace
@@ -37,7 +37,7 @@ void Judge::ask(Memory& memory, const Look& look, Finding& finding) const noexce
   size_t nearest = 0;
   for (size_t i = 1; i < kKnots; ++i)
     if (distance(i) < distance(nearest)) nearest = i;
-  if (distance(nearest) > rules_.reach) return;  // closed elsewhere: no answer
+  if (distance(nearest) > rules_.reach) return;  // closed away from the places: no answer
   finding.answered = true;
   finding.answer = static_cast<int>(nearest);
   const bool sound = look.knot == static_cast<int>(Knot::kSquare), said_sound = finding.answer == static_cast<int>(Knot::kSquare);
@@ -59,7 +59,7 @@ void Judge::pull(Memory& memory, const Look& look, Finding& finding) const noexc
   pulled.borne = std::max(pulled.borne, look.tension);
   Eigen::Map<Vec3> taut_W(memory.taut_W);
   if (memory.taut == 0 && look.tension >= kTaut) memory.taut = 1, taut_W = look.puller_W;
-  // both strands of the loop go along with the instrument
+  // both strands of the loop follow the instrument
   if (memory.taut != 0) pulled.opening = std::max(pulled.opening, 2 * (look.puller_W - taut_W).norm());
   memory.borne_s = look.tension >= kBorne * rules_.load ? memory.borne_s + dt_ : 0;
   const bool held = memory.borne_s >= rules_.hold_time;
@@ -87,7 +87,7 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
   finding.stage = Stage::kDone;
   finding.next = false;
   finding.lost = points(memory, look.time_s);
-  // an attempt that did not pass is worth at most 40; guessing one of four is worth nothing
+  // an attempt that did not pass is worth at most 40; guessing one of four scores 0
   const double share = memory.rights / rules_.questions;
   finding.score = finding.end == End::kPassed ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * std::max(0.0, (4 * share - 1) / 3);
 }

@@ -72,18 +72,18 @@ void FreePractice::look_at(const Thing& thing, ThingMemory& memory, PracticeMemo
   all.grasps += view.happened(thing.grasp.taken) ? 1 : 0;
   held ? verdict.cue(thing.object, held_) : verdict.clear_cue(thing.object);
 
-  // held long enough, once
+  // counted once, when held long enough
   memory.held_s = held ? memory.held_s + view.dt() : 0;
   if (memory.grasped == 0 && held && memory.held_s >= params_.hold_time) {
     memory.grasped = 1;
     verdict.event(grasped_, which);
   }
 
-  // the sign of a hold lasts a little longer than the hold, and by then what falls has landed: the force tells at once
+  // the signal of a hold outlasts the hold, and by then a dropped object has landed: the force shows a drop at once
   if (drop_.look(memory.drop, p_W, held && view.signal(thing.grasp.force) > 0)) {
     all.drops += 1;
     verdict.event(dropped_, which);
-    // what leaves its place untouched by the faces of the jaws was pushed by another side of the instrument
+    // an object that leaves its place without a touch of the jaw faces was pushed by another side of the instrument
     if (memory.touched == 0) all.touches += 1;
     memory.touched = 0;
   }
@@ -104,7 +104,7 @@ void FreePractice::observe(const View& view, const Verdict& verdict, std::span<d
   memory.begun = 1;
   report(memory, different, view.time(), verdict);
 
-  // the end: the goal, or the time
+  // the attempt ends at the goal or the time limit
   const bool reached = params_.goal > 0 && different >= params_.goal;
   const bool over = view.time() >= params_.max_time && (params_.goal == 0 || !is_practice());
   verdict.phase(reached || over ? done_ : practice_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.free_practice: take things and put them down again, to get used to the instrument. See free_practice.md.
+// swage.lesson.free_practice: pick up objects and put them down, to get used to the instrument. See free_practice.md.
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -53,7 +53,7 @@ struct PracticeParams {
   double drop_distance = 2e-3;  // m
 };
 
-/// What is remembered of one thing: doubles only.
+/// State of one object: doubles only.
 struct ThingMemory {
   lessons::DropState drop;
   double start[3] = {0, 0, 0};  // m

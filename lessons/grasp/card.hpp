@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the grasp lesson measures and signals: the one table behind its declarations, `swage describe` and grasp.md. Codes M..
+// Metrics and cues of the grasp lesson: the one table behind its declarations, `swage describe` and grasp.md. Codes M..
 // are those of the metric catalogue that the page names.
 #pragma once
 
@@ -100,7 +100,7 @@ inline constexpr swage_metric_info kMetrics[] = {
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-/// What they are called, and which are shown first.
+/// Titles of the metrics, and the order in which the first ones are shown.
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskTimeLabel,
     lessons::label("time.approach", "Time to first contact"),
@@ -144,7 +144,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Grasp the {needle} in the marked region, at {region} of its length.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Use the tips of the jaws.", "tips_needed", SWAGE_CRITERION_PASS, 0},

@@ -62,7 +62,7 @@ void GraspLesson::bind(const Scene& scene, Binder& binder) {
   if (needle.n_body == 0) return binder.error(lessons::say::kNotTaken(params_.needle));
   needle_body_ = needle.first_body;
   region_ = binder.mark_arc(needle_object_, params_.region.low, params_.region.high, "region.target");
-  bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
+  bending_ = scene.find_signal(params_.needle, "needle.stress");  // only a needle that bends offers it
   put_back_ = scene.find_event("swage", "host.reset");
   if (!params_.carry) return;
   needle_ = Peer(needle.instance);
@@ -135,7 +135,7 @@ void GraspLesson::observe(const View& view, const Verdict& verdict, std::span<do
 }
 
 void GraspLesson::say(const Finding& finding, const TargetState& target, const Verdict& verdict) const {
-  // signs: the grades but the first are the first cues
+  // cues: the first ones are the grades without kNone
   const auto sign = [&](Sign s) { return cue_[static_cast<size_t>(s)]; };
   if (finding.grade != Grade::kNone)
     verdict.cue(needle_object_, cue_[static_cast<size_t>(finding.grade) - 1]);
@@ -148,13 +148,13 @@ void GraspLesson::say(const Finding& finding, const TargetState& target, const V
     verdict.mark(target_, finding.end == End::kPassed ? sign(Sign::kDone) : near, &p_W);
   }
 
-  // what happened
+  // events
   if (finding.dropped) verdict.event(dropped_);
   if (finding.hold_began) verdict.event(hold_began_);
   if (finding.hold_broke) verdict.event(hold_broke_);
   verdict.phase(phase_[static_cast<size_t>(finding.stage)]);
 
-  // the end
+  // verdict
   if (finding.end == End::kRunning) return;
   if (finding.end == End::kPassed) return verdict.pass(finding.score);
   const Event reason = failed_[static_cast<size_t>(finding.end)];
@@ -196,7 +196,7 @@ void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict)
   report_hold(m, verdict);
 }
 
-// What has no value before the needle was grasped is not told.
+// Metrics without a value before the first grasp are not reported.
 void GraspLesson::report_grasps(const Memory& m, const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) {
     verdict.metric(metric_[static_cast<size_t>(measure)], value);
@@ -218,7 +218,7 @@ void GraspLesson::report_grasps(const Memory& m, const Verdict& verdict) const {
     tell(Measure::kOverTime, mean(m, m.over_s));
     tell(Measure::kOverDose, m.over_dose);
   }
-  const bool lifts = params_.carry || params_.lift > 0;  // else nobody is asked to take it off its place
+  const bool lifts = params_.carry || params_.lift > 0;  // otherwise the needle need not leave its place
   if (lifts && m.lifted_s > 0) {
     tell(Measure::kSteadiness, lessons::deviation(m.spread));
     tell(Measure::kSlipRisk, m.timid_s / m.lifted_s);

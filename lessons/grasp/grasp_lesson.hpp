@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.grasp: take a needle at the right place with the right force, and hold it. See grasp.md.
+// swage.lesson.grasp: grasp a needle at the right place with the right force, and hold it. See grasp.md.
 #pragma once
 
 #include <swage/lesson.hpp>

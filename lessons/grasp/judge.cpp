@@ -7,14 +7,14 @@
 namespace swage::lesson_grasp {
 namespace {
 
-// A further try needs jaws that were opened by this much in between, rad.
+// Opening of the jaws between two grasp attempts, at least, rad.
 constexpr double kReopened = 0.035;
-// Snapping of the needle is measured so long after both jaws have it, s.
+// Rotation of the needle on grasping is measured this long after both jaws hold it, s.
 constexpr double kSnapTime = 0.1;
 
-// A held needle is lifted once it is so far from its start, m.
+// Distance from its start at which a held needle counts as lifted, m.
 constexpr double kLifted = 0.2e-3;
-// What a break of the hold at the target costs, and how many are counted.
+// Points deducted for each interrupted hold at the target, and how many are counted.
 constexpr double kBreakCosts = 5, kMostBreaks = 3;
 
 }  // namespace
@@ -33,7 +33,7 @@ bool Judge::square(const Memory& memory, const Look& look) const {
   return rules_.max_tilt <= 0 || std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) <= most;
 }
 
-/// Whether the cue tells a tilt: beyond what is allowed; where any tilt is, beyond what the other lessons allow.
+/// Whether the cue shows a tilt: above max_tilt; where any tilt is allowed, above kTold, the limit of other lessons.
 bool Judge::tilted(const Memory& memory, const Look& look) const {
   constexpr double kTold = std::numbers::pi / 9;  // rad, 20 deg
   if (rules_.max_tilt > 0) return !square(memory, look);
@@ -65,7 +65,7 @@ void Judge::begin(Memory& memory, const Look& look) const noexcept {
 }
 
 void Judge::count(Memory& memory, const Look& look) const noexcept {
-  // a try is one closing of the jaws that touches; tries end with the first correct grasp
+  // a grasp attempt is one closing of the jaws that touches; counted up to the first correct grasp
   memory.least_opening = std::min(memory.least_opening, look.opening);
   if (look.opening > memory.least_opening + kReopened) memory.tried = 0;
   if (look.touched && memory.tried == 0 && memory.good_grasps == 0) {
@@ -90,7 +90,7 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
     memory.snap_wait_s = kSnapTime;
   }
 
-  // how far the needle has turned from the first touch until just after the grasp
+  // rotation of the needle from the first touch until kSnapTime after the grasp
   if (memory.snap_wait_s <= 0) return;
   memory.snap_wait_s -= look.dt_s;
   if (memory.snap_wait_s > 0) return;
@@ -112,7 +112,7 @@ void Judge::integrate(Memory& memory, const Look& look) const noexcept {
 }
 
 void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  // the sign of a hold lasts a little longer than the hold, and by then what falls has landed: the force tells at once
+  // the signal of a hold outlasts the hold, and by then a dropped object has landed: the force shows a drop at once
   finding.dropped = drop_.look(memory.drop, look.needle_W, look.held && look.force > 0);
   if (finding.dropped) {
     memory.drops += 1;
@@ -122,7 +122,7 @@ void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) cons
     memory.resets += 1;
     DropWatch::rest(memory.drop, look.needle_W);
   }
-  // somebody has put it back where it was at the start
+  // the needle was put back to its start
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (memory.drop.armed == 0 && (look.needle_W - start).norm() < 0.1 * rules_.drop_distance) {
     DropWatch::rest(memory.drop, look.needle_W);
@@ -220,7 +220,7 @@ Points Judge::points(const Memory& memory, double time_s) const noexcept {
 }
 
 double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
-  // an attempt that did not pass is worth at most 40: the share of the hold that was reached
+  // an attempt that did not pass scores at most 40: the share of the hold that was reached
   if (!passed) return 40 * std::min(1.0, memory.best_hold_s / rules_.hold_time);
   return std::clamp(100 - lost.sum(), 40.0, 100.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What counts as a good grasp, when a hold is over, and what it is worth. Pure arithmetic on what was seen in one step; the
-// meanings and formulas are explained in grasp.md.
+// Judge of a grasp: when it is good, when a hold is complete, and its score. Pure arithmetic on the observations of one step; the
+// terms and formulas are explained in grasp.md.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,10 @@ using lessons::PathWatch;
 using toolkit::Quat;
 using toolkit::Vec3;
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   double region_low = 0.5, region_high = 0.75;  // along the needle, 0 point .. 1 swage
-  double tip_low = -0.2e-3, tip_high = 2e-3;    // m, how far the tips may reach past the needle
+  double tip_low = -0.2e-3, tip_high = 2e-3;    // m, allowed tip overhang past the needle
   bool tips_needed = false;
   double max_tilt = 0;                        // rad, of axis and plane; 0: any
   double force_low = 0.05, force_high = 1.0;  // N
@@ -37,17 +37,17 @@ struct Rules {
   double max_over_time = 2;                   // s
   int max_drops = 2;
   double drop_distance = 2e-3;   // m
-  double max_wrong_time = 20;    // s, 0: for ever
+  double max_wrong_time = 20;    // s, 0: no limit
   bool ends = true;              // limits of force and time end the attempt
   double lost_distance = 30e-3;  // m
   TargetRules target;
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   bool held = false, touched = false, taken = false;  // the last two: events of this step
-  bool reset = false;                                 // likewise: the program has brought the needle back
+  bool reset = false;                                 // likewise: the needle was reset
   double force = 0;                                   // N
   double s = 0;                                       // 0 point .. 1 swage
   double tip_reach = 0;                               // m
@@ -57,10 +57,10 @@ struct Look {
   double bending = 0;                                  // moment in the needle over its yield moment
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   Quat q_WN = Quat::Identity();
-  double target_distance = 0;  // m, of the needle's nearest place from the target
+  double target_distance = 0;  // m, of the nearest place of the needle to the target
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   PathState path;
   DropState drop;
@@ -72,34 +72,34 @@ struct Memory {
   double reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;  // integrals over the held time
   double over_s = 0, over_dose = 0;                            // s, N s
   double hold_s = 0, best_hold_s = 0, holding = 0;             // s, s, 0 or 1
-  double touch_q[4] = {1, 0, 0, 0};                            // the needle's attitude when it was touched
+  double touch_q[4] = {1, 0, 0, 0};                            // orientation of the needle at the last touch
   double snap_wait_s = 0, snap_sum = 0;                        // s, rad
   double engaged = 0;                                          // 0 or 1: touched, and not dropped since
-  double tried = 0, least_opening = 0;  // 0 or 1: this closing of the jaws is counted; rad, least since then
-  double wrong_s = 0;                   // s, held wrongly without a break
+  double tried = 0, least_opening = 0;  // 0 or 1: this closing of the jaws is counted; rad, smallest opening since then
+  double wrong_s = 0;                   // s, of the present wrong grasp
   double resets = 0, bending = 0, passed = 0;
   double touched_s = -1;                   // s, when it was first touched; -1: not yet
   double phase_s[7] = {0, 0, 0, 0, 0, 0, 0};  // s, by Stage
-  double lifted_s = 0, timid_s = 0;     // s, held and off its start; so with less than the least force
+  double lifted_s = 0, timid_s = 0;     // s, held and lifted; s, of that with less than the least force
   lessons::SpreadState spread;          // of the force in that time
   lessons::IdleState idle;
   lessons::TremorState tremor;
   TargetState target;
 };
 
-/// How the needle is held: spot and tips right or wrong.
+/// Grade of a grasp: position and tips right or wrong.
 enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kTilted, kGood };
-/// kRegrasp: held outside the region, told in practice alone. kDropped: it lies where it fell.
+/// kRegrasp: held outside the region, reported in practice only. kDropped: the needle lies where it fell.
 enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone, kRegrasp, kDropped };
 enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kWrongGrasp, kLost, kLeftTarget };
 
-/// Points of 100 that were lost.
+/// Points deducted, of 100.
 struct Points {
   double tries = 0, drops = 0, hold = 0, force = 0, tilt = 0, bending = 0, time = 0;
   double sum() const { return tries + drops + hold + force + tilt + bending + time; }
 };
 
-/// What is to be said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Grade grade = Grade::kNone;
   Stage stage = Stage::kApproach;
@@ -107,8 +107,8 @@ struct Finding {
   bool too_hard = false;
   bool near_target = false;                                      // within its radius
   bool dropped = false, hold_began = false, hold_broke = false;  // in this step
-  double score = 0;                                              // 0..100, once it has ended
-  Points lost;                                                   // likewise, when it was passed
+  double score = 0;                                              // 0..100, once the attempt has ended
+  Points lost;                                                   // likewise, of a passed attempt
 };
 
 class Judge {
@@ -116,11 +116,11 @@ class Judge {
   Judge() = default;
   Judge(const Rules& rules, double dt);
 
-  /// [rt]
+  /// Judges one step. [rt]
   Finding look(Memory& memory, const Look& look) const noexcept;
 
   bool in_region(double s) const { return s >= rules_.region_low && s <= rules_.region_high; }
-  /// Whether it is square enough in the jaws; a hold that runs may lean a tenth more.
+  /// Whether the tilt in the jaws is within max_tilt; during a hold a tenth more is allowed.
   bool square(const Memory& memory, const Look& look) const;
   bool tilted(const Memory& memory, const Look& look) const;
   bool in_tips(double reach) const { return reach >= rules_.tip_low && reach <= rules_.tip_high; }
@@ -154,11 +154,11 @@ class Judge {
 inline double task_time(const Memory& memory, double time_s) {
   return memory.path.set_off_s < 0 ? 0 : time_s - memory.path.set_off_s;
 }
-/// Time from there until the jaws first touched it, s.
+/// Time from then until the jaws first touched the needle, s.
 inline double approach_time(const Memory& memory) {
   return memory.path.set_off_s < 0 ? 0 : std::max(0.0, memory.touched_s - memory.path.set_off_s);
 }
-/// Mean of an integral over the held time; 0 before anything was held.
+/// Integral over the held time, divided by it; 0 before the first hold.
 inline double mean(const Memory& memory, double integral) {
   return memory.grip.held_s > 0 ? integral / memory.grip.held_s : 0;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A place to which the needle is carried and where it is held (thesis 6.2.4).
+// The target to which the needle is carried and where it is held (thesis 6.2.4).
 #pragma once
 
 #include <cmath>
 
 namespace swage::lesson_grasp {
 
-/// What leaving the target during the hold does.
+/// Effect of leaving the target during the hold.
 enum class Leave : int { kRestart, kPause, kFail };
 
 struct TargetRules {
@@ -22,8 +22,8 @@ struct TargetState {
   double inside = 0;                 // 0 or 1
   double first_s = -1;               // s, when it was first reached; -1: not yet
   double hold_began_s = 0;           // s, start of the present hold
-  double inside_s = 0, since_s = 0;  // s, within the radius; since it was first reached
-  double square_s = 0, held_s = 0;   // m2 s, s: of the distance during holds
+  double inside_s = 0, since_s = 0;  // s, time within the radius; s, time since it was first reached
+  double square_s = 0, held_s = 0;   // m2 s, integral of the squared distance during holds; s, their time
   double breaks = 0;
 };
 
@@ -32,7 +32,7 @@ class Target {
   Target() = default;
   explicit Target(const TargetRules& rules) : rules_(rules) {}
 
-  /// Whether the needle, at this distance [m], is at the target: out is a tenth of the radius further than in. [rt]
+  /// Whether the needle, at this distance [m], is at the target; it leaves the target at 1.1 radii (hysteresis). [rt]
   bool look(TargetState& state, double distance, double time_s, double dt) const noexcept {
     constexpr double kLeaves = 1.1;
     if (state.first_s >= 0) state.since_s += dt;
@@ -45,7 +45,7 @@ class Target {
     state.inside_s += dt;
     return true;
   }
-  /// A step of a hold. [rt]
+  /// Adds one step of a hold. [rt]
   static void hold(TargetState& state, double distance, double dt) noexcept {
     state.square_s += distance * distance * dt;
     state.held_s += dt;
@@ -59,7 +59,7 @@ class Target {
 inline double hold_error(const TargetState& state) {
   return state.held_s > 0 ? std::sqrt(state.square_s / state.held_s) : 0;
 }
-/// Share of the time since it was first reached; 0 before.
+/// Share of the time at the target since it was first reached; 0 before.
 inline double in_target(const TargetState& state) {
   return state.since_s > 0 ? state.inside_s / state.since_s : 0;
 }

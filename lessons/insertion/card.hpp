@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the insertion lesson measures and signals: the one table behind its declarations, `swage describe` and insertion.md.
+// Metrics and cues of the insertion lesson: the one table behind its declarations, `swage describe` and insertion.md.
 // Codes M.. are those of the metric catalogue that the page names.
 #pragma once
 
@@ -63,6 +63,9 @@ enum class Measure : size_t {
   kSawn,
   kLoopLeast,
   kLoopMost,
+  kTailLeast,
+  kTailMost,
+  kCutsAstray,
   kPointsWound,
   kPointsAngle,
   kPointsEntry,
@@ -75,6 +78,7 @@ enum class Measure : size_t {
   kPointsOblique,
   kPointsLoops,
   kPointsTension,
+  kPointsTails,
   kPointsStep,
   kPointsTime,
   kCount
@@ -133,6 +137,9 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"thread.sawn", "m", "Thread drawn back against its way through the tissue.", "sum", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     {"thread.loop_least", "m", "The shortest loop of a running suture: thread between one bite and the next; told where loops are asked for.", "min of the thread from exit to entry", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
     {"thread.loop_most", "m", "The longest such loop.", "max", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
+    {"thread.tail_least", "m", "The shortest tail of the finished stitches, on both sides of each; told as the next two where stitches are cut off.", "min of: thread before the entry, thread beyond the exit", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_D},
+    {"thread.tail_most", "m", "The longest such tail.", "max", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_D},
+    {"thread.cuts_astray", "1", "How often the thread was cut where no tail ends.", "count of: cut neither before the entry nor, once the needle is through, beyond the exit", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     lessons::points("points.wound", "Points lost for the size of the wound.", "30 clamp((wound.size - 1) / 2, 0, 1)"),
     lessons::points("points.angle", "Points lost for the angle in the tissue.", "30 clamp(insert.angle / 45 deg, 0, 1)"),
     lessons::points("points.entry", "Points lost for the distance of the entry from the mark.", "15 clamp(insert.entry_distance / tolerance, 0, 1)"),
@@ -145,12 +152,13 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::points("points.obliquity", "Points lost for the most oblique stitch; of more than one.", "10 clamp(stitch.most_obliquity / 45 deg, 0, 1)"),
     lessons::points("points.loops", "Points lost for unequal loops.", "15 clamp(2 (thread.loop_most - thread.loop_least) / loop, 0, 1)"),
     lessons::points("points.tension", "Points lost for a thread drawn too hard.", "15 clamp(thread.tension / tension - 1, 0, 1)"),
+    lessons::points("points.tails", "Points lost for tails of another length, and for cuts astray.", "10 clamp(2 greatest difference of a tail from what is asked / tail_tolerance - 1, 0, 1) + 10 thread.cuts_astray"),
     lessons::points("points.step", "Points lost for a step between two edges.", "15 clamp(2 stitch.step / step - 1, 0, 1)"),
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-/// What they are called, and which are shown first.
+/// Titles of the metrics, and the order in which the first ones are shown.
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskTimeLabel,
     lessons::kTaskSuccessLabel,
@@ -203,6 +211,9 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("thread.sawn", "Thread drawn back"),
     lessons::label("thread.loop_least", "Shortest loop"),
     lessons::label("thread.loop_most", "Longest loop"),
+    lessons::label("thread.tail_least", "Shortest tail"),
+    lessons::label("thread.tail_most", "Longest tail"),
+    lessons::label("thread.cuts_astray", "Cuts astray", SWAGE_SHOW_COUNT),
     lessons::label("points.wound", "Wound size", SWAGE_SHOW_POINTS),
     lessons::label("points.angle", "Angle in the tissue", SWAGE_SHOW_POINTS),
     lessons::label("points.entry", "Entry point", SWAGE_SHOW_POINTS),
@@ -215,17 +226,19 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.obliquity", "Obliquity", SWAGE_SHOW_POINTS),
     lessons::label("points.loops", "Loops", SWAGE_SHOW_POINTS),
     lessons::label("points.tension", "Thread tension", SWAGE_SHOW_POINTS),
+    lessons::label("points.tails", "Tails", SWAGE_SHOW_POINTS),
     lessons::label("points.step", "Step between the edges", SWAGE_SHOW_POINTS),
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Puncture the tissue within {tolerance} of the mark.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Drive {drive} of the needle into the tissue.", "task=insert", SWAGE_CRITERION_PASS, 0},
     {"Bring the point out, let go, take it where it came out and pull the needle through.", "task=stitch", SWAGE_CRITERION_PASS, 0},
     {"Take both edges in one bite, at depths that differ by {step} at most.", "step", SWAGE_CRITERION_PASS, 0},
     {"Draw the thread through until {tail} of it are left at the entry, to within {tail_tolerance}.", "tail", SWAGE_CRITERION_PASS, 0},
+    {"Cut each stitch off the thread so that {tail} are left on its other side as well, to within {tail_tolerance}.", "cut", SWAGE_CRITERION_PASS, 0},
     {"Stitches: {stitches}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
     {"Draw each loop until {loop} of thread are left between a bite and the one before it, to within {loop_tolerance}.", "loop", SWAGE_CRITERION_PASS, 0},
     {"Draw the thread with {tension} at most.", "tension", SWAGE_CRITERION_POINTS, 0},

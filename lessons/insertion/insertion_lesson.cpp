@@ -31,9 +31,13 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
     if (i == index(Sign::kTaut)) return params.tension > 0;
     return i < index(Sign::kGraspWrong) || has_region();
   };
-  // all of the card would be one more than a scene has room for
+  // the whole card would be one metric more than a scene has room for
   const auto tells = [&](size_t i) {
     if (i == index(Measure::kTwist)) return !has_far();
+    const bool tails = (i >= index(Measure::kTailLeast) && i <= index(Measure::kCutsAstray)) || i == index(Measure::kPointsTails);
+    if (tails) return has_cut();
+    const bool loops = i == index(Measure::kLoopLeast) || i == index(Measure::kLoopMost) || i == index(Measure::kPointsLoops);
+    if (has_cut() && (loops || i == index(Measure::kPointsTension))) return false;
     return has_far() || (i != index(Measure::kPointsStep) && (i < index(Measure::kInnerNear) || i > index(Measure::kFarWound)));
   };
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
@@ -45,10 +49,12 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
   phase_[index(Stage::kPull)] = builder.phase("pull", "Pull it through along its curve.");
+  if (has_cut()) phase_[index(Stage::kCutOff)] = builder.phase("cut", "Cut the thread beyond the exit, as long as the tail.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
   damaged_ = builder.event("suture.damaged", "The needle was grasped at the swage, which damages the suture.");
+  if (has_cut()) cut_off_ = builder.event("suture.cut_off", "The thread was cut; value: the tail that is left beyond the exit, m.");
   missed_ = builder.event("entry.missed", "The point went in too far from the mark.");
   if (has_far()) far_first_ = builder.event("entry.far_first", "The point went into the other edge, and not through the first one.");
   const auto failure = [&](End end, const char* code, const char* doc) {
@@ -82,7 +88,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   if (!tissue_.has(SWAGE_TRAIT_PIERCEABLE)) binder.error(say::kNotPierced(params_.tissue));
   if (scene->object[needle_object_].n_body == 0 || scene->object[tissue_object_].n_body == 0)
     binder.error(say::kNoBodies());
-  bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
+  bending_ = scene.find_signal(params_.needle, "needle.stress");  // only a needle that bends offers it
   const auto pierces = [&](const swage_scene_signal& signal) {
     return view(signal.id) == "pierce.state" && (!has_far() || view(signal.owner) != params_.far_pierce);
   };
@@ -92,7 +98,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   pierce_ = find_pierce(scene, binder, std::string(view(owner->owner)));
   if (has_far()) find_far(scene, binder);
   if (!params_.suture.empty()) find_suture(scene, binder);
-  if (params_.suture.empty() && params_.tail + params_.loop > 0)
+  if (params_.suture.empty() && (params_.tail + params_.loop > 0 || has_cut()))
     binder.error(say::kNoSuture());
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
@@ -159,11 +165,12 @@ void InsertionLesson::activate(double dt_s) {
   rules.suture.loop = p.loop;
   rules.suture.loop_tolerance = p.loop_tolerance;
   rules.suture.tension = p.tension;
+  rules.suture.cut = has_cut();
   rules.far = {has_far(), p.step};
   judge_ = Judge(rules, dt_s);
 }
 
-/// The mark: somewhere on the surface, drawn once per attempt; and that of the exit, beside it.
+/// Draws the entry mark at random on the surface, once per attempt, and places the exit mark beside it.
 bool InsertionLesson::draw(const View& scene, Kept& kept) {
   const toolkit::Pose X_WO(scene.pose(tissue_body_));
   const auto between = [this](const Interval& range) {
@@ -179,7 +186,7 @@ bool InsertionLesson::draw(const View& scene, Kept& kept) {
   return true;
 }
 
-/// One spacing further along the edge.
+/// Moves the marks by one spacing along the edge.
 void InsertionLesson::next_mark(const View& scene, Kept& kept) const {
   Eigen::Map<Vec3> target(kept.target), normal(kept.normal);
   const Vec3 edge = Eigen::Map<const Vec3>(kept.memory.stitch.edge);
@@ -196,7 +203,7 @@ Vec3 InsertionLesson::place(const View& scene, const Signal (&signal)[3]) {
   return {scene.signal(signal[0]), scene.signal(signal[1]), scene.signal(signal[2])};
 }
 
-/// A hole and the way to the nearest edge: where the distance from it falls quickest.
+/// A hole and the direction to the nearest edge, in which the distance from the edge falls fastest.
 Hole InsertionLesson::hole(const Peer& peer, const Step& tissue, const Vec3& p_W) {
   Hole hole;
   hole.p_W = p_W;
@@ -217,7 +224,7 @@ Hole InsertionLesson::hole(const Peer& peer, const Step& tissue, const Vec3& p_W
   return hole;
 }
 
-/// Of the exit in this step, rad; negative: there was none.
+/// Angle of the exit in this step, rad; negative: there was none.
 double InsertionLesson::exit_angle(const View& scene, const Pierce& pierce) {
   for (const swage_view_event& event : scene.events())
     if (event.event == pierce.exited) return event.value;
@@ -281,7 +288,7 @@ void InsertionLesson::read_pierce(const View& scene, Look& look) const {
   if (nearest) look.arc_error = (vec(nearest->p_W) - look.entry_W).norm();
 }
 
-/// The task has the needle touch the tissue at the mark; once it is in, where it went in and came out, and between the two.
+/// Observes stray touches. The needle may touch the tissue at the mark, at its entry and exit, and with the part between them.
 void InsertionLesson::read_stray(const View& scene, const swage_gripper_state& jaws, Look& look) const {
   Region region;
   region.middle[0] = look.in_tissue ? look.entry_W : look.target_W;
@@ -313,7 +320,7 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
 }
 
 void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_s, const Verdict& verdict) const {
-  // signs
+  // cues
   const auto show = [&](uint32_t object, Cue cue) {
     cue.valid() ? verdict.cue(object, cue) : verdict.clear_cue(object);
   };
@@ -336,7 +343,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_
     if (finding.end == End::kPassed) return verdict.mark(mark, sign(Sign::kDone), &p_W);
     verdict.mark(mark, near ? sign(Sign::kNear) : Cue(), &p_W);
   };
-  // a needle that has been drawn through went in there: nothing is to move there any more
+  // the mark keeps its cue while a needle that entered there is drawn through
   const bool was_there = finding.stage == Stage::kPull && m.entry_distance <= params_.tolerance;
   point(target_, kept.target, finding.near || was_there);
   if (finding.stage == Stage::kDrive && m.entry_distance > params_.tolerance) {
@@ -345,14 +352,15 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_
   }
   if (has_exit()) point(exit_, kept.exit, finding.exit_near);
 
-  // what happened
+  // events
   if (finding.dropped) verdict.event(dropped_);
   if (finding.damaged) verdict.event(damaged_);
   if (finding.missed) verdict.event(missed_, kept.memory.entry_distance);
+  if (finding.cut_off) verdict.event(cut_off_, finding.cut_tail);
   if (finding.far_first) verdict.event(far_first_);
   verdict.phase(phase_[index(finding.stage)]);
 
-  // the end
+  // verdict
   if (finding.end == End::kRunning) return;
   if (finding.end == End::kPassed) return verdict.pass(finding.score);
   const Event reason = failed_[index(finding.end)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.insertion: take a needle, put its point to a mark on a tissue and drive it in along its own curve. See
+// swage.lesson.insertion: grasp a needle, put its point to a mark on a tissue and drive it in along its own curve. See
 // insertion.md.
 #pragma once
 
@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "card.hpp"
 #include "common/watching.hpp"
@@ -44,6 +45,7 @@ struct InsertionParams {
   double swage_zone = SutureRules{}.swage_zone, tail = 0, tail_tolerance = SutureRules{}.tail_tolerance;  // m
   double loop = 0, loop_tolerance = SutureRules{}.loop_tolerance;  // m
   double tension = 0;                                              // N
+  std::string cut;                                                 // "": stitches are not cut off the thread
   std::string far, far_pierce = "far_pierce";  // "": one edge
   double step = FarRules{}.step;               // m
 };
@@ -152,6 +154,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::tension>("tension", "Tension", "N", "mN", 0, 10,
                                       "Of the thread at the swage: above it a stitch is drawn too hard; 0: not asked.")
           .group("Suture"),
+      text<&InsertionParams::cut>("cut", "Coupling of the blades", "Name of the cut coupling by which each stitch is cut off the thread, with a tail on both sides; without one: none.")
+          .group("Suture"),
       text<&InsertionParams::far>("far", "Far edge", "Name of the other edge of a wound, which the same bite goes through; without one: none.")
           .group("Two edges"),
       text<&InsertionParams::far_pierce>("far_pierce", "Coupling of the far edge", "Name of the coupling by which the needle pierces the far edge.")
@@ -169,24 +173,25 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void reset(std::span<double> state) override { as<Kept>(state) = {}; }
 
  private:
-  /// Private numbers: what the judge remembers, and where the mark is.
+  /// Private numbers: the state of the judge, and the marks.
   struct Kept {
     Memory memory;
     double drawn = 0;                                     // 0 or 1
     double target[3] = {0, 0, 0}, normal[3] = {0, 0, 1};  // m, unit; W
-    double exit[3] = {0, 0, 0};                           // m, W: where it should come out
+    double exit[3] = {0, 0, 0};                           // m, W: mark of the exit
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
     Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, depth, exit[3];
-    Signal wound_wide, exit_wound;  // which not every coupling tells
+    Signal wound_wide, exit_wound;  // not offered by every coupling
     Event entered, exited, passed, deflected;
   };
 
   /// Signals and events of the couplings that tie the thread to the needle and draw it through the tissue.
   struct Suture {
     Signal tension, state, tail, cut, back, force, loop, loop_least, loop_most;
-    Event pulled_off, through;
+    Signal entry, exit;  // where stitches are cut off: thread from the needle to the last entry and to the last exit
+    Event pulled_off, through, parted;
   };
 
   Pierce find_pierce(const Scene& scene, Binder& binder, const std::string& owner) const;
@@ -195,9 +200,13 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void report_far(const Look& look, const Memory& memory, const Verdict& verdict) const;
   bool has_far() const { return !params_.far.empty(); }
   void find_suture(const Scene& scene, Binder& binder);
+  void find_cut(const Scene& scene, Binder& binder, const std::vector<std::string>& pulls);
+  void read_cut(const View& view, Look& look) const;
+  bool has_cut() const { return !params_.cut.empty(); }
   void read_suture(const View& view, Look& look) const;
   void show_tail(const View& view, const Kept& kept, const Verdict& verdict) const;
   void report_suture(const Memory& memory, const Verdict& verdict) const;
+  void report_tails(const Memory& memory, const Verdict& verdict) const;
   void report_running(const Points& lost, const Verdict& verdict) const;
   void say_suture(const Finding& finding, const Verdict& verdict) const;
   bool draw(const View& view, Kept& kept);
@@ -229,9 +238,9 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Mark target_, exit_, tail_, region_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
-  Phase phase_[8];                      // by Stage
+  Phase phase_[9];                      // by Stage
   Signal bending_;
-  Event dropped_, missed_, damaged_, far_first_, failed_[static_cast<size_t>(End::kCount)];  // by End
+  Event dropped_, missed_, damaged_, far_first_, cut_off_, failed_[static_cast<size_t>(End::kCount)];  // by End
 };
 
 }  // namespace swage::lesson_insertion

@@ -10,9 +10,9 @@
 namespace swage::lesson_insertion {
 namespace {
 
-// A wound up to this many radii is what careful hands leave.
+// Wound, in radii of the wire, that careful hands leave at most.
 constexpr double kGoodWound = 2;
-// So much of the needle must be behind the jaws' place before a second grasp counts as one on the other side.
+// Share of the needle between the surface and the jaws from which a second grasp counts as one on the other side.
 constexpr double kOtherSide = 0.02;
 
 double along_surface(const Vec3& way, const Vec3& normal) { return (way - way.dot(normal) * normal).norm(); }
@@ -38,7 +38,10 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   follow_twist(memory.twist, look);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
-  finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
+  finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s,
+                                       memory.through != 0 && memory.retaken != 0);
+  finding.cut_off = rules_.suture.cut && look.suture.parted;
+  finding.cut_tail = memory.suture.cut_off.tail;
   follow_stitch(memory, look, finding);
   finding.swage_held = memory.suture.grasped != 0;
   finding.taut = rules_.suture.tension > 0 && look.suture.tension > rules_.suture.tension;
@@ -49,7 +52,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   return finding;
 }
 
-// A point that skips along a surface, or brushes past its side, is turned away once.
+// Deflections within kApart count once, as of a point that skips along a surface or its side.
 void Judge::count_deflection(Memory& memory, const Look& look, bool deflected) noexcept {
   constexpr double kApart = 1;  // s
   if (!deflected || look.time_s - memory.deflected_s < kApart) return;
@@ -78,14 +81,14 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
   }
   if (look.passed && !rules_.far.there) memory.through = 1;
 
-  // where it is going to go in
+  // the point is above the place of the entry
   const Vec3 ahead = look.point_W - look.target_W;
   finding.near = !inside(look) && look.held && ahead.norm() < 4 * rules_.tolerance &&
                  along_surface(ahead, look.normal_W) < rules_.tolerance;
   finding.exit_near = rules_.exit_mark && memory.exited != 0 && memory.exit_distance < rules_.tolerance;
 }
 
-/// The same bite on: out of the near edge, into the far one, out of that. What goes back the way it came begins that part anew.
+/// Follows the bite out of the near edge, into the far edge and out of it. A point that goes back begins that part anew.
 void Judge::follow_far(Memory& memory, const Look& look, Finding& finding) const noexcept {
   FarState& far = memory.far;
   if (look.entered) far.near_out = far.near_passed = 0;
@@ -105,7 +108,7 @@ void Judge::follow_far(Memory& memory, const Look& look, Finding& finding) const
   if (far.near_passed != 0 && far.passed != 0) memory.through = 1;
 }
 
-// Everything about the angle is weighted by the needle's way through its entry: waiting costs nothing and mends nothing.
+// Angles are weighted by the travel of the needle through its entry, so that waiting changes no mean.
 void Judge::integrate(Memory& memory, const Look& look) const noexcept {
   const auto add = [&](double& tracked, double& last_s, double s, double angle, double cosine, double arc_error) {
     const double way = tracked != 0 ? std::abs(s - last_s) * look.length : 0;
@@ -141,7 +144,7 @@ void Judge::follow_twist(TwistState& twist, const Look& look) noexcept {
 }
 
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  // what sticks in the tissue has not been dropped
+  // a needle that sticks in the tissue has not been dropped
   finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || inside(look));
   if (finding.dropped) memory.drops += 1;
   finding.stuck = inside(look) && !look.held;
@@ -149,7 +152,7 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
   finding.angle_good = inside(look) && !finding.angle_off;
   finding.torn = wound(look) > kGoodWound;
 
-  // the other side: let go once the point is out, and taken where it came out
+  // the other side: let go once the point is out, and grasped again beyond the exit
   const double crossed = rules_.far.there ? look.far.s : look.s;
   if (memory.exited != 0 && !look.held) memory.let_go = 1;
   if (memory.let_go != 0 && look.held && look.grip_s < crossed - kOtherSide) memory.retaken = 1;
@@ -158,18 +161,21 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
   follow_stray(memory.stray, look.needle_astray || look.far.needle_astray, look.jaws_astray || look.far.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
-  if (memory.missed != 0 || !SutureWatch::drawn(rules_.suture, memory.suture)) return;
+  if (memory.missed != 0 || !SutureWatch::done(rules_.suture, memory.suture)) return;
   Stitches::finish(memory.stitch);
+  SutureWatch::finish(rules_.suture, memory.suture);
   memory.worst_entry = std::max(memory.worst_entry, memory.entry_distance);
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
   FarEdge::finish(memory.far, look.far.wound);
+  SutureWatch::go_on(rules_.suture, memory.suture);
   finding.stitched = true;
 }
 
 Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
-  if (memory.retaken != 0) return Stage::kPull;
+  const bool to_cut = rules_.suture.cut && memory.through != 0 && SutureWatch::drawn(rules_.suture, memory.suture);
+  if (memory.retaken != 0) return to_cut ? Stage::kCutOff : Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
   if (memory.far.near_out != 0) return Stage::kCross;
@@ -188,7 +194,7 @@ Grip Judge::how_held(const Look& look) const noexcept {
 void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
                                                  : memory.through != 0 && memory.retaken != 0 &&
-                                                       SutureWatch::drawn(rules_.suture, memory.suture);
+                                                       SutureWatch::done(rules_.suture, memory.suture);
   if (done)
     finding.end = memory.missed != 0                               ? End::kMissed
                   : FarEdge::uneven(rules_.far, memory.far)        ? End::kStep
@@ -227,6 +233,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
   lost.loops = 15 * std::clamp(2 * SutureWatch::unlike_loops(rules_.suture, memory.suture), 0.0, 1.0);
   lost.tension = 15 * std::clamp(SutureWatch::over_tension(rules_.suture, memory.suture), 0.0, 1.0);
+  if (rules_.suture.cut) lost.tails = CutWatch::points(memory.suture.cut_off, rules_.suture.tail_tolerance);
   lost.step = FarEdge::points(rules_.far, memory.far);
   if (rules_.far.there) lost.bites = 10 * std::clamp(Stitches::asymmetry(memory.stitch), 0.0, 1.0);
   if (rules_.stitches < 2) return lost;
@@ -237,7 +244,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
 }
 
 double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
-  // an attempt that did not pass is worth at most 40: the share of the way that was made, from the right place
+  // an attempt that did not pass scores at most 40: the completed share, if the entry was within the tolerance
   const double share = (memory.stitch.count + std::min(1.0, memory.deepest / rules_.drive)) / rules_.stitches;
   if (!passed) return memory.missed != 0 ? 0 : 40 * std::min(1.0, share);
   return std::clamp(100 - lost.sum(), 40.0, 100.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a good insertion is, when it is over and what it is worth. Pure arithmetic on what was seen in one step; meanings and
-// formulas are explained in insertion.md.
+// Judge of an insertion: when it is good, when it is complete, and its score. Pure arithmetic on the observations of one step;
+// terms and formulas are explained in insertion.md.
 #pragma once
 
 #include <swage/units.hpp>
@@ -29,14 +29,14 @@ enum class Task : int {
   kStitch,  // and out, let go, taken on the other side, and pulled through
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   Task task = Task::kInsert;
   double tolerance = 0.3e-3;       // m, entry from the mark
-  double in_angle = 15 * kDegree;  // rad: what still counts as perpendicular
-  double least_in_angle = 0.5;     // share of the way that must be within it
-  double drive = 0.35;             // share of the needle that is to be inside
-  double max_wound = 6;            // edge of the wound from the first puncture over the wire's radius
+  double in_angle = 15 * kDegree;  // rad, greatest deviation that counts as perpendicular
+  double least_in_angle = 0.5;     // share of the travel that must be within in_angle
+  double drive = 0.35;             // share of the needle to be driven in
+  double max_wound = 6;            // distance of the wound's edge from the first puncture, over the wire's radius
   double force_high = 1.5;         // N
   double par_time = 30;            // s
   double max_time = 300;           // s
@@ -44,53 +44,53 @@ struct Rules {
   int max_deflections = 5;
   double drop_distance = 3e-3;   // m
   double lost_distance = 30e-3;  // m, from the mark
-  int stitches = 1;             // that are asked for
-  bool exit_mark = false;       // there is a mark where it should come out
+  int stitches = 1;             // required number
+  bool exit_mark = false;       // there is a mark of the exit
   bool ends = true;             // the time limit ends the attempt
   double region_low = 0, region_high = 0;  // where the needle should be held, 0 point .. 1 swage; both 0: anywhere
-  double tip_low = 0, tip_high = 0.3e-3;   // m, how far the tips should reach past it
+  double tip_low = 0, tip_high = 0.3e-3;   // m, required tip overhang past the needle
   SutureRules suture;
   FarRules far;
 };
 
-/// What one step shows. The pierce.* signals under short names.
+/// Observations of one step. The pierce.* signals under short names.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   bool held = false;
   double force = 0;                                    // N
-  double grip_s = 0;                                   // where the jaws have it, 0 point .. 1 swage
+  double grip_s = 0;                                   // where the jaws hold the needle, 0 point .. 1 swage
   double tip_reach = 0;                                // m, of the tips past the needle
   double tilt_axis = 0, tilt_plane = 0;                // rad, of the needle in the jaws
-  double bending = 0;                                  // moment in the needle over its yield moment; 0 of a rigid one
+  double bending = 0;                                  // moment in the needle over its yield moment; 0 for a rigid one
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   double length = 0;                                   // m, of the needle
   Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
   Vec3 exit_target_W = Vec3::Zero();                                        // m
   bool touching = false;                                                    // the point presses on the tissue, or is in it
-  bool in_tissue = false;                                                   // the track is open
+  bool in_tissue = false;                                                   // the needle is in its track
   bool entered = false, exited = false, passed = false, deflected = false;  // events of this step
   double angle = 0, cosine = 0;                                             // rad, 1
-  double s = 0;                 // where it crosses the surface, 0 at the point
+  double s = 0;                 // place of the needle at the surface, 0 at the point
   double exit_angle = 0;        // rad, with `exited`
   Vec3 entry_W = Vec3::Zero();  // m
-  double arc_error = 0;         // m, of the entry from the needle's centre line
+  double arc_error = 0;         // m, distance of the entry from the needle's centre line
   Hole hole;                    // with `entered` and `exited`
-  bool needle_astray = false;   // some of it touches the tissue outside the task's region
+  bool needle_astray = false;   // the needle touches the tissue outside the task's region
   bool jaws_astray = false;     // a jaw is in the tissue
   double diameter = 100e-6;     // m, of the wire
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
-  double wound_wide = 0, exit_wound = 0;  // 1: from the wound's own centre; of the exit, 0 before
+  double wound_wide = 0, exit_wound = 0;  // 1: wound from its own centre; wound of the exit, 0 before
   SutureLook suture;
   FarLook far;
 };
 
-/// How far the tissue turns the needle in the jaws (thesis 5.2.3), from the first touch of a hold on: doubles only.
+/// Rotation of the needle in the jaws by the tissue (thesis 5.2.3), from the first touch in a hold on: doubles only.
 struct TwistState {
-  double from = 0, axis = 0, plane = 0;  // 0 or 1: there is a touch; rad, the tilts then
-  double told = 0, most = 0;             // 0 or 1; rad, the greatest turn
+  double from = 0, axis = 0, plane = 0;  // 0 or 1: touched in this hold; rad, the tilts at that touch
+  double told = 0, most = 0;             // 0 or 1: there is a value; rad, the greatest rotation
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   PathState path;
   DropState drop;
@@ -100,10 +100,10 @@ struct Memory {
   double deflected_s = -1e3;                   // s, when the last deflection was counted
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
-  double wall = 0;                             // m, where it went in
+  double wall = 0;                             // m, thickness of the tissue at the entry
   double exit_angle = 0, exit_distance = 0;    // rad, m, of the last exit
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
-  double travel = 0, travel_in = 0;            // m, of the needle through its entry, and within the angle
+  double travel = 0, travel_in = 0;            // m, travel of the needle through its entry; of that, within in_angle
   double angle2 = 0, arc2 = 0;                 // rad2 m, m3: integrals over the travel
   double inside_s = 0, cosine_s = 0;           // s
   double pull_s = 0;                           // N s
@@ -117,44 +117,46 @@ struct Memory {
   FarState far;
 };
 
-enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross };
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff };
 enum class End {
   kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kStep, kCount
 };
 
-/// How the needle is held before it goes in: place and tips right or wrong.
+/// Grade of the grasp before the entry: position and tips right or wrong.
 enum class Grip { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
 
-/// Points of 100 that were lost.
+/// Points deducted, of 100.
 struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
   double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
-  double step = 0;                                                       // of two edges
+  double step = 0, tails = 0;                                            // of two edges; of stitches that are cut off
   double sum() const {
-    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step;
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails;
   }
 };
 
-/// What is to be said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
-  Grip grip = Grip::kNone;                     // kNone as well where no region is asked for
-  bool near = false;                           // the point is where it should go in
-  bool exit_near = false;                      // it came out where it should
+  Grip grip = Grip::kNone;                     // kNone also where no region is required
+  bool near = false;                           // the point is at the place of the entry
+  bool exit_near = false;                      // the exit is at its mark
   bool angle_good = false, angle_off = false;  // in the tissue
-  bool stuck = false;                          // let go in the tissue
-  bool torn = false;                           // the wound is beyond what is good
+  bool stuck = false;                          // the needle was let go in the tissue
+  bool torn = false;                           // the wound is larger than careful hands leave
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
-  bool far_first = false;                // in this step: it went into the far edge and not through the near one
-  bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
+  bool far_first = false;                // in this step: the point entered the far edge without the near one
+  bool stitched = false;                 // in this step: a stitch is complete, and another one is required
   bool swage_held = false;               // grasped where the thread is swaged in
-  bool damaged = false;                  // that, in this step for the first time
-  bool taut = false;                     // the thread is drawn harder than careful hands draw it
-  bool loop_good = false;                // the loop has its length
-  double score = 0;                      // 0..100, once it has ended
-  Points lost;                           // likewise, when it was passed
+  bool cut_off = false;                  // in this step: the thread was cut
+  double cut_tail = 0;                   // with `cut_off`: m of thread that are left beyond the exit
+  bool damaged = false;                  // in this step: such a grasp begins
+  bool taut = false;                     // the tension of the thread is above its limit
+  bool loop_good = false;                // the loop has the required length
+  double score = 0;                      // 0..100, once the attempt has ended
+  Points lost;                           // likewise, of a passed attempt
 };
 
 class Judge {
@@ -162,7 +164,7 @@ class Judge {
   Judge() = default;
   Judge(const Rules& rules, double dt);
 
-  /// [rt]
+  /// Judges one step. [rt]
   Finding look(Memory& memory, const Look& look) const noexcept;
   const Rules& rules() const { return rules_; }
   const GripWatch& grip() const { return grip_; }
@@ -187,7 +189,7 @@ class Judge {
   GripWatch grip_;
 };
 
-/// Some of the needle is in the tissue, or in the far edge.
+/// Whether a part of the needle is in the tissue or in the far edge.
 inline bool inside(const Look& look) { return look.in_tissue || look.far.in_tissue; }
 /// The greater wound of the two edges.
 inline double wound(const Look& look) { return std::max(look.wound, look.far.wound); }
@@ -196,9 +198,9 @@ inline double wound(const Look& look) { return std::max(look.wound, look.far.wou
 inline double task_time(const Memory& memory, double time_s) {
   return memory.path.set_off_s < 0 ? 0 : time_s - memory.path.set_off_s;
 }
-/// Root of the mean square of the angle, weighted by travel, rad; and the same of the distance from its arc, m.
+/// Root mean square of the deviation angle, weighted by travel, rad; arc_rms: of the distance from the needle's arc, m.
 inline double angle_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.angle2 / m.travel) : 0; }
-/// Share of the needle's way through its entry that was within the angle; 1 before there was any.
+/// Share of the needle's travel through its entry within in_angle; 1 before any travel.
 inline double in_angle_share(const Memory& m) { return m.travel > 0 ? m.travel_in / m.travel : 1; }
 inline double arc_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.arc2 / m.travel) : 0; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The far edge of the wound: what the coupling that pierces it tells, and its measures.
+// The far edge of the wound: signals of the coupling that pierces it, and its metrics.
 #include "insertion_lesson.hpp"
 #include "sentences.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Metrics of the lesson, and the points that were lost.
+// Metrics of the lesson, and the deducted points.
 #include <algorithm>
 
 #include "common/report.hpp"
@@ -29,7 +29,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kStray, m.stray.count);
   tell(Measure::kProgress, std::min(1.0, m.deepest / rules.drive));
   if (thread_.valid()) report_suture(m, verdict);
-  // what has no value before the point went in is not told
+  // metrics without a value before the first entry are not reported
   if (m.entries == 0) return;
   tell(Measure::kEntryDistance, m.entry_distance);
   tell(Measure::kEntryAngle, m.entry_angle);

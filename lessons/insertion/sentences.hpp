@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences of this lesson about what a scene lacks; those of several lessons are in common/sentences.hpp. Tests name them, and never repeat their words.
+// Messages of this lesson about missing parts of a scene; those of several lessons: common/sentences.hpp. Tests do not repeat the text.
 #pragma once
 
 #include "toolkit/sentence.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a surgeon says of finished stitches: bite, symmetry, obliquity, even spacing (M42 to M45). Pure arithmetic on entries and
+// Surgeons' measures of finished stitches: bite, symmetry, obliquity, even spacing (M42 to M45). Pure arithmetic on entries and
 // exits; the edge is that of a slit, or the rim where it is nearer.
 #pragma once
 
@@ -14,25 +14,25 @@ namespace swage::lesson_insertion {
 
 using toolkit::Vec3;
 
-/// Where a point went through a surface.
+/// Hole where the point passed through a surface.
 struct Hole {
   Vec3 p_W = Vec3::Zero();        // m
-  Vec3 edge_W = Vec3::Zero();     // unit, along the surface towards the nearest edge; 0: nobody knows
+  Vec3 edge_W = Vec3::Zero();     // unit, along the surface towards the nearest edge; 0: unknown
   Vec3 normal_W = Vec3::UnitZ();  // unit, out of the tissue
   double edge = 0;                // m, distance of that edge
-  double wall = 0;                // m, thickness of the tissue there; 0: nobody knows
+  double wall = 0;                // m, thickness of the tissue there; 0: unknown
 };
 
-/// Doubles only; the last stitch, and where all of them lie.
+/// The last stitch, and the places of all stitches. Doubles only.
 struct StitchState {
   static constexpr size_t kMost = 8;
-  double count = 0;                    // stitches that are through
-  double in = 0, out = 0;              // 0 or 1: the present one has these holes
+  double count = 0;                    // finished stitches
+  double in = 0, out = 0;              // 0 or 1: the present stitch has its entry, its exit
   double bite_in = 0, bite_out = 0;    // m
   double entry[3] = {}, edge[3] = {};  // m, unit; W
-  double oblique = -1;                 // rad; -1: not known
-  double most_oblique = 0;             // rad, of all stitches that came out
-  double least = 0, most = 0, sum = 0, bites = 0;  // m, of the bites of finished stitches, two each; how many
+  double oblique = -1;                 // rad; -1: unknown
+  double most_oblique = 0;             // rad, of all stitches with an exit
+  double least = 0, most = 0, sum = 0, bites = 0;  // m, of the bites of finished stitches, two each; their number
   double first[3] = {};                // m, middle of the first stitch
   double place[kMost] = {};            // m, middles of the stitches along the edge, from the first one
 };
@@ -47,7 +47,7 @@ class Stitches {
     Eigen::Map<Vec3>(s.edge) = hole.edge_W;
     s.oblique = -1;
   }
-  /// `least` [m]: a stitch that is shorter has no direction.
+  /// Adds the exit of the present stitch. `least` [m]: a shorter stitch has no direction.
   static void exit(StitchState& s, const Hole& hole, double least) noexcept {
     if (s.in == 0) return;
     s.out = 1;
@@ -63,7 +63,7 @@ class Stitches {
     if (n == 0) Eigen::Map<Vec3>(s.first) = middle;
     s.place[n] = (middle - Eigen::Map<const Vec3>(s.first)).dot(hole.normal_W.cross(edge));
   }
-  /// The present stitch is through.
+  /// Finishes the present stitch.
   static void finish(StitchState& s) noexcept {
     s.count += 1;
     for (const double bite : {s.bite_in, s.bite_out}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stray touches (M52): needle or jaws on the tissue where the task does not want them. Frames: W. Units m, s. [rt]
+// Stray touches (M52) of needle or jaws: on tissue outside the region of the task. Frames: W. Units m, s. [rt]
 #pragma once
 
 #include <swage/peer.hpp>
@@ -15,14 +15,14 @@ using toolkit::Vec3;
 
 /// Doubles only.
 struct StrayTouch {
-  double on = 0, clear_s = 0;  // 0 or 1: it touches; s, since it did
+  double on = 0, clear_s = 0;  // 0 or 1: a touch is being counted; s, since the last contact
 };
 struct StrayState {
   double count = 0;
   StrayTouch needle, jaws;
 };
 
-/// Counts a touch that begins; what touches again within kPause is still the same touch.
+/// Counts touches; contact again within kPause belongs to the same touch.
 inline void follow_touch(StrayState& s, StrayTouch& touch, bool now, double dt) noexcept {
   constexpr double kPause = 0.15;  // s
   touch.clear_s = now ? 0 : touch.clear_s + dt;
@@ -35,23 +35,23 @@ inline void follow_stray(StrayState& s, bool needle, bool jaws, double dt) noexc
   follow_touch(s, s.jaws, jaws, dt);
 }
 
-/// How deep a place is in a tissue, negative outside: under its surface, before its far side, within its rim.
+/// Depth of a place in a tissue, m, negative outside: the least of those under its surface, before its far side and within its rim.
 inline double depth_in(const swage_pierceable_place& p) { return std::min({p.depth, -p.beyond, p.edge}); }
 
-/// Of places on a line, `apart` from each other, how many after one are as surely outside as that. Half of what its distance from
-/// the tissue says: where a surface bends, the nearest place of it that was found need not be the nearest.
+/// Number of places after this one, `apart` [m] from each other on a line, that are outside the tissue too, by half of its distance from
+/// the tissue: on a curved surface the nearest place that was found may be farther than the true one.
 inline int as_far_outside(const swage_pierceable_place& p, double apart) {
   const double away = 0.5 * std::max(-p.depth, p.beyond);
   return away > apart ? static_cast<int>(std::min(away / apart, 1e3)) : 0;
 }
 
-/// Where the task has the needle touch the tissue.
+/// Region in which the needle may touch the tissue.
 struct Region {
-  Vec3 middle[2] = {Vec3::Zero(), Vec3::Zero()};  // the mark, or where the needle went in and came out
+  Vec3 middle[2] = {Vec3::Zero(), Vec3::Zero()};  // m, the mark, or the entry and the exit
   int count = 1;
   Vec3 normal = Vec3::UnitZ();  // unit
-  double radius = 0;            // along the surface
-  double s_out = 0, s_in = -1;  // what is in its track; none while s_in < s_out
+  double radius = 0;            // m, along the surface
+  double s_out = 0, s_in = -1;  // part of the needle in its track, 0..1; none while s_in < s_out
 
   bool has(const Vec3& p) const {
     for (int i = 0; i < count; ++i) {
@@ -62,11 +62,11 @@ struct Region {
   }
 };
 
-/// Whether the needle touches the tissue anywhere else, by kPlaces places along it.
+/// Whether the needle touches the tissue outside the region, tested at kPlaces + 1 places along it.
 inline bool needle_astray(const Peer& needle, const Step& needle_step, const Peer& tissue,
                           const Step& tissue_step, const Region& region) noexcept {
   constexpr int kPlaces =
-      16;  // 0.4 mm apart on a 6 mm needle: what lies between two lies 10 um deeper at most
+      16;  // 0.4 mm apart on a 6 mm needle: the arc between two is at most 10 um deeper
   for (int i = 0; i <= kPlaces; ++i) {
     const double s = static_cast<double>(i) / kPlaces;
     if (s >= region.s_out && s <= region.s_in) continue;
@@ -80,7 +80,7 @@ inline bool needle_astray(const Peer& needle, const Step& needle_step, const Pee
   return false;
 }
 
-/// Whether one of the jaws is in the tissue: the line from its hinge to its tip. `hinge`: the origins of the two bodies.
+/// Whether one of the jaws, the line from its hinge to its tip, is in the tissue. `hinge`: the origins of the two bodies, m.
 inline bool jaws_astray(const swage_gripper_state& jaws, const Vec3 (&hinge)[2], const Peer& tissue,
                         const Step& step) noexcept {
   constexpr int kPlaces = 8;

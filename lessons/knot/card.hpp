@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson of the knot measures and signals: the one table behind its declarations, `swage describe` and knot.md.
+// Metrics and cues of the lesson of the knot: the one table behind its declarations, `swage describe` and knot.md.
 #pragma once
 
 #include <cstddef>
@@ -24,6 +24,7 @@ enum class Measure : size_t {
   kCut,
   kTail,
   kDrops,
+  kRegrasps,
   kForce,
   kPeak,
   kOverTime,
@@ -32,6 +33,9 @@ enum class Measure : size_t {
   kLdlj,
   kHold,
   kPassages,
+  kAirGap,
+  kIdle,
+  kRegrasps,
   kPointsUndone,
   kPointsDrops,
   kPointsTension,
@@ -56,6 +60,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"tissue.cut", "m", "How far the thread has cut its holes through the tissue, the farthest of them.", "max of pull.cut", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"thread.tail", "m", "Length of the tail outside of the tissue.", "pull.tail", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_D},
     {"thread.drops", "1", "How often the thread got out of the jaws that wind before all throws were tied.", "count of: not held any more", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"thread.regrasps", "1", "How often the long end was laid down between two throws and taken anew.", "count of: held again within retake_time", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_D},
     lessons::kForceMean,
     lessons::kForcePeak,
     {"force.over_time", "1", "Share of the held time in which the jaws were above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
@@ -64,6 +69,9 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kLdlj,
     {"hold.progress", "1", "Share of the hold that is done.", "unbroken hold / hold_time", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"thread.passages", "1", "How often the simulated thread went through itself or through the instrument, which no thread does.", "thread.passed + winding.passages", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
+    {"knot.air_gap", "m", "How high the first throw stands above the tissue.", "height of the first throw over the way from hole to hole - diameter of the thread", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"time.idle", "1", "Share of the time at work in which an instrument did nothing, mean of both.", "sum of dt in which the tips stay within 0.1 mm below 6 Hz, the opening within 1 deg and F within 0.05 N for more than 0.5 s / sum of dt, both since the hand set off and while the knot is not kept", "M03", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"grasp.regrasps", "1", "Grasps of the thread after the first one of each hand.", "count", "M08", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     lessons::points("points.undone", "Points lost for throws that came undone or were not those that are asked for.", "10 min(undone + wrong, 3)"),
     lessons::points("points.drops", "Points lost for a thread that got out of the jaws.", "15 drops"),
     lessons::points("points.tension", "Points lost for a stitch that was too tight.", "40 share of the held time above the tension"),
@@ -87,6 +95,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("tissue.cut", "Cut into the tissue", SWAGE_SHOW_QUANTITY, 0, nullptr, "most_cut"),
     lessons::label("thread.tail", "Length of the tail"),
     lessons::label("thread.drops", "Thread lost from the jaws", SWAGE_SHOW_COUNT, 6, nullptr, "max_drops"),
+    lessons::label("thread.regrasps", "Long end taken anew", SWAGE_SHOW_COUNT),
     lessons::kForceMeanLabel,
     lessons::label("force.peak", "Grip force, peak", SWAGE_SHOW_QUANTITY, 0, nullptr, "force"),
     lessons::label("force.over_time", "Time above the force limit", SWAGE_SHOW_SHARE),
@@ -95,6 +104,9 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kLdljLabel,
     lessons::label("hold.progress", "Hold completed", SWAGE_SHOW_SHARE),
     lessons::label("thread.passages", "Thread through itself or the instrument", SWAGE_SHOW_COUNT),
+    lessons::label("knot.air_gap", "Air gap below the knot"),
+    lessons::label("time.idle", "Idle time", SWAGE_SHOW_SHARE),
+    lessons::label("grasp.regrasps", "Regrasps", SWAGE_SHOW_COUNT),
     lessons::label("points.undone", "Wrong or undone throws", SWAGE_SHOW_POINTS),
     lessons::label("points.drops", "Thread lost from the jaws", SWAGE_SHOW_POINTS),
     lessons::label("points.tension", "Tension of the stitch", SWAGE_SHOW_POINTS),

@@ -7,9 +7,9 @@
 namespace swage::lesson_knot {
 namespace {
 
-// Share of the least force below which the jaws have let go: a grasp that is out of balance for a moment is still one that holds.
+// Share of the least force below which the jaws have let go: a grasp that is out of balance for a moment still holds.
 constexpr double kLetGo = 0.5;
-// Of a turn: from here on the thread is wound about the holder, whose other half the hand that goes aside adds.
+// Turns from which the thread counts as wound about the holder; the hand that moves aside adds the rest of the turn.
 constexpr double kWound = 0.7;
 
 }  // namespace
@@ -40,11 +40,33 @@ void Judge::follow_hands(Memory& memory, const Look& look, Finding& finding) con
     path_.look(memory.path[i], look.tip_W[i], look.time_s);
     grip_.look(memory.grip[i], look.grip[i], memory.has[i] != 0, look.time_s, look.dt_s);
     finding.too_hard[i] = GripWatch::too_hard(memory.grip[i]);
-    // what the hand lets go of when all is tied is no drop
-    if (i == 0) finding.dropped = had && memory.has[i] == 0 && look.word.throws < rules_.asked.throws;
+    if (i == 0) finding.dropped = drops(memory, look, had);
   }
   memory.drops += finding.dropped;
   finding.held = memory.has[0] != 0;
+}
+
+/// True in the step in which the winder loses the thread. What the hand lets go of when all is tied is no drop. Neither is a long end that it
+/// lets go of between two throws, slack and with nothing wound, once it has it again in time.
+bool Judge::drops(Memory& memory, const Look& look, bool had) const noexcept {
+  if (look.word.throws >= rules_.asked.throws) memory.let_go = 0;
+  if (memory.has[0] != 0) {
+    memory.regrasps += memory.let_go;
+    memory.let_go = 0;
+    memory.long_tension = look.tension_grip;
+  }
+  if (had && memory.has[0] == 0 && look.word.throws < rules_.asked.throws) {
+    const bool opened = look.squeeze < rules_.force_low;
+    const bool between = look.word.throws > 0 && std::abs(look.turns) < kWound;
+    const bool laid = opened && between && memory.long_tension < rules_.slack;
+    memory.let_go = laid ? 1 : 0, memory.let_go_s = 0;
+    return !laid;
+  }
+  if (memory.let_go == 0) return false;
+  memory.let_go_s += look.dt_s;
+  if (memory.let_go_s < rules_.retake_time) return false;
+  memory.let_go = 0;
+  return true;
 }
 
 void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
@@ -70,7 +92,7 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   finding.wrong = look.tangled || like < throws;
   memory.wrong += finding.wrong && memory.is_wrong == 0;
   memory.is_wrong = finding.wrong ? 1 : 0;
-  // while throws are still to come a wrong one can be undone
+  // a wrong throw can be undone until all throws are there
   const bool another = finding.wrong && throws >= static_cast<int>(rules_.asked.throws);
   memory.wrong_s = another ? memory.wrong_s + look.dt_s : 0;
   finding.tied = !look.tangled && look.word.is(rules_.asked);
@@ -94,7 +116,7 @@ Stage Judge::stage(const Look& look, const Finding& finding, bool good) const no
 }
 
 End Judge::end(const Memory& memory, const Look& look) const noexcept {
-  if (look.passages > 0) return End::kPassage;  // what is tied from here on is not to be trusted
+  if (look.passages > 0) return End::kPassage;  // the thread passed through itself: the knot is no longer valid
   if (memory.hold_s >= rules_.hold_time) return End::kPassed;
   if (look.parted > 0) return End::kBroken;
   if (!look.through) return End::kDrawnOut;
@@ -111,7 +133,7 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   finding.stage = Stage::kDone;
   finding.lost = points(memory, look.time_s);
   memory.passed = finding.end == End::kPassed ? 1 : 0;
-  // an attempt that did not pass is worth at most 40: the share of the throws and of the hold that was reached
+  // an attempt that did not pass scores at most 40: the share of the throws and of the hold that was reached
   const double share = 0.5 * (memory.most_like / rules_.asked.throws + std::min(1.0, memory.best_hold_s / rules_.hold_time));
   finding.score = memory.passed != 0 ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;
 }

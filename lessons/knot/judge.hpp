@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What counts as a knot tied on two edges of tissue, and what it is worth. Pure arithmetic on what was seen in one step; formulas:
+// Judge of a knot tied on two edges of tissue, and its score. Pure arithmetic on the observations of one step; formulas:
 // knot.md.
 #pragma once
 
@@ -13,23 +13,23 @@ using lessons::GripWatch;
 using lessons::PathWatch;
 using toolkit::Vec3;
 
-inline constexpr int kThrows = 6;  // most that swage.coupling.knot tells
+inline constexpr int kThrows = 6;  // greatest number that swage.coupling.knot reports
 
 /// Throws in their order, each with its turns and their sign.
 struct Word {
   double throws = 0;
   double turns[kThrows] = {};
 
-  /// How many throws from the first on are those that are asked for, or all of them the mirror image.
+  /// Number of throws, from the first on, that equal those required, or that all equal their mirror image.
   int like(const Word& asked) const;
   bool is(const Word& asked) const { return throws == asked.throws && like(asked) == static_cast<int>(asked.throws); }
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   Word asked{1, {1}};
   double most_gap = 0.1e-3;                 // m, between the edges
-  double most_loop = 7e-3;                  // m, of thread from one strand of the first throw to the other
+  double most_loop = 7e-3;                  // m, length of thread between the two strands of the first throw
   double tension = 20e-3;                   // N, limit
   double force_low = 0.05, force_high = 1;  // N
   double most_cut = 0.3e-3;                 // m, by which the thread may cut the tissue
@@ -37,33 +37,39 @@ struct Rules {
   double par_time = 30;                     // s
   double max_time = 240;                    // s
   double max_over_time = 2;                 // s
-  double wrong_time = 10;                   // s, for which another knot may be there
+  double wrong_time = 10;                   // s, for which a wrong knot may last
+  double slack = 5e-3;                      // N, below it a long end is laid down. The bent thread of a knot keeps some mN, a drawn one has 15 and springs
+  double retake_time = 15;                  // s, until it is to be held again: the hands take 4 to 7. Shorter, a student who looks for it has dropped it
   int max_drops = 2;
   bool ends = true;  // limits of force and time end the attempt
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   double grip[2] = {0, 0};  // N, of the winder and of the holder on the thread
   bool held[2] = {false, false};
+  double squeeze = 1e300;      // N, what the winder's hand puts on its jaws; of a gripper that does not tell it, no end is let go of
+  double tension_grip = 0;     // N, of the long end beside the jaws that hold it
   Vec3 tip_W[2] = {Vec3::Zero(), Vec3::Zero()};
   double turns = 0;  // about the holder
   Word word;
   bool tangled = false;
   double sliding = 0;        // throws that slide
   double loop = 0, gap = 0;  // m
-  double tension = 0;        // N, the greater of those beside the two holes
+  double tension = 0;        // N, the greater of the tensions at the two holes
   double cut = 0, tail = 0;  // m
   bool through = true;       // the thread lies through both edges
   double parted = 0, passages = 0;
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   lessons::PathState path[2];
   lessons::GripState grip[2], pull;  // of the jaws; of the thread
-  double has[2] = {0, 0};            // 0 or 1: held, and the force has not been lost since
+  double has[2] = {0, 0};            // 0 or 1: the thread is held, and its grip force has not ceased since
+  double let_go = 0, let_go_s = 0, regrasps = 0;  // 0 or 1: the long end was laid down; s, since then; times that it was taken anew
+  double long_tension = 0;           // N, of the long end while it was last held
   double throws = 0, most_like = 0, undone = 0, wrong = 0, is_wrong = 0, drops = 0, passages = 0;
   double held_s = 0, over_s = 0, taut_s = 0;
   double least_gap = 1, cut = 0, tail = 0;  // m
@@ -73,19 +79,19 @@ struct Memory {
 enum class Stage { kTake, kWind, kTail, kDraw, kLay, kHold, kDone };
 enum class End { kRunning, kPassed, kPassage, kBroken, kDrawnOut, kCut, kDropped, kTooHard, kWrong, kOutOfTime };
 
-/// What is lost of 100.
+/// Points deducted, of 100.
 struct Points {
   double undone = 0, drops = 0, tension = 0, force = 0, cut = 0, time = 0;
   double sum() const { return undone + drops + tension + force + cut + time; }
 };
 
-/// What is said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
   bool held = false, tied = false, wrong = false, sliding = false, together = false, taut = false;
   bool too_hard[2] = {false, false};
-  bool dropped = false, undone = false;  // of this step
+  bool dropped = false, undone = false;  // in this step
   Points lost;
   double score = 0;
 };
@@ -103,6 +109,7 @@ class Judge {
 
  private:
   void follow_hands(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  bool drops(Memory& memory, const Look& look, bool had) const noexcept;
   void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_knot(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Look& look, const Finding& finding, bool good) const noexcept;

@@ -18,9 +18,11 @@ using toolkit::vec;
 
 namespace {
 
-constexpr double kTangled = 5;  // knot.kind of a thread that is knotted in another way
+// m, from the middle of the grasp towards the stitch: outside of tips of 0.3 mm and one segment of 0.4 mm on. Nearer, the bend in the jaws counts as a pull.
+constexpr double kBeside = 0.8e-3;
+constexpr double kTangled = 5;  // knot.kind of a thread with any other knot
 
-/// Reads "2 -1 1". False where it is no word.
+/// Reads throws such as "2 -1 1". False for any other text.
 bool read_word(std::string_view text, Word& word) {
   word = {};
   while (true) {
@@ -42,7 +44,7 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   if (params.holder == params.winder) builder.error("winder", lessons::say::kTwoGrippers());
   if (params.left == params.right) builder.error("right", "a wound has two edges, not one");
   if (!read_word(params.word, asked_)) builder.error("word", "a word is one to six whole numbers that are not 0, such as \"1 -1\"");
-  builder.state<Memory>();
+  builder.state<Kept>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
   phase(Stage::kTake, "take", "Take the long end of the thread with one instrument.");
@@ -71,11 +73,16 @@ void KnotLesson::bind(const Scene& scene, Binder& binder) {
   gripper_[0] = lessons::find_gripper(scene, binder, p.winder, gripper_object_[0]);
   gripper_[1] = lessons::find_gripper(scene, binder, p.holder, gripper_object_[1]);
   thread_object_ = lessons::find_object(scene, binder, p.thread);
+  if (thread_object_ != kNone) strand_ = StrandPeer(Peer(scene->object[thread_object_].instance));
   grasp_[0] = lessons::find_grasp(scene, binder, p.grasp);
   grasp_[1] = lessons::find_grasp(scene, binder, p.tail_grasp);
   side_[0].tissue = lessons::find_object(scene, binder, p.left);
   side_[1].tissue = lessons::find_object(scene, binder, p.right);
   find_knot(scene, binder);
+  if (binder.failed()) return;
+  strand_ = StrandPeer(Peer(scene->object[thread_object_].instance));
+  for (Side& side : side_)
+    if (scene->object[side.tissue].n_body > 0) side.body = scene->object[side.tissue].first_body;
 }
 
 void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
@@ -92,6 +99,7 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
     side_[i].tail = signal(stitch[i], "pull.tail");
     side_[i].tension = signal(stitch[i], i == 0 ? "pull.tension_tail" : "pull.tension_out");
     side_[i].cut = signal(stitch[i], "pull.cut");
+    side_[i].out = signal(stitch[i], "pull.out");
   }
   turns_ = signal(p.winding, "winding.turns");
   through_ = signal(p.winding, "winding.passages");
@@ -102,6 +110,7 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
   loop_ = signal(p.knot, "knot.loop");
   through_itself_ = signal(p.thread, "thread.passed");
   parted_ = signal(p.thread, "thread.parted");
+  squeeze_ = scene.find_signal(p.winder, "grip.command");
 }
 
 void KnotLesson::activate(double dt_s) {
@@ -114,6 +123,8 @@ void KnotLesson::activate(double dt_s) {
   rules.tension = p.tension;
   rules.most_cut = p.most_cut;
   rules.wrong_time = p.wrong_time;
+  rules.slack = p.slack;
+  rules.retake_time = p.retake_time;
   judge_ = Judge(rules, dt_s);
 }
 
@@ -124,6 +135,15 @@ void KnotLesson::read_knot(const View& view, Look& look) const {
   look.sliding = view.signal(sliding_);
   look.loop = view.signal(loop_);
   look.passages = view.signal(through_) + view.signal(through_itself_);
+}
+
+/// Tension of the long end beside the jaws of the winder, on the side of the stitch.
+double KnotLesson::long_tension(const View& view) const {
+  const Step thread = view.object(thread_object_);
+  const auto law = strand_.law(thread);
+  if (!law) return 0;
+  const auto place = strand_.place(thread, view.signal(grasp_[0].s) * law->length + kBeside);
+  return place ? place->tension : 0;
 }
 
 bool KnotLesson::read(const View& view, Look& look) const {
@@ -144,18 +164,52 @@ bool KnotLesson::read(const View& view, Look& look) const {
   look.tail = view.signal(side_[0].tail);
   look.turns = view.signal(turns_);
   look.parted = view.signal(parted_);
+  look.tension_grip = long_tension(view);
+  if (squeeze_.valid()) look.squeeze = view.signal(squeeze_);
   read_knot(view, look);
   return true;
 }
 
 void KnotLesson::observe(const View& view, const Verdict& verdict, std::span<double> state) {
   Look look;
-  auto& memory = as<Memory>(state);
+  auto& kept = as<Kept>(state);
   if (!read(view, look)) return discard();
-  const Finding finding = judge_.look(memory, look);
-  report(memory, look, verdict);
+  const Finding finding = judge_.look(kept.memory, look);
+  follow_work(view, look, kept);
+  report(kept.memory, look, verdict);
+  report_work(kept.work, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
   say(finding, verdict);
+}
+
+void KnotLesson::follow_work(const View& view, const Look& look, Kept& kept) const {
+  const Memory& m = kept.memory;
+  const bool counts = Judge::task_time(m, look.time_s) > 0 && m.hold_s == 0;
+  for (int i = 0; i < 2; ++i) {
+    const auto jaws = gripper_[i].describe(view.object(gripper_object_[i]));
+    if (!jaws) continue;
+    WorkWatch::look(kept.work, i, m.has[i] != 0, Eigen::Map<const Vec3>(m.path[i].last), jaws->opening, m.grip[i].now, look.dt_s, counts);
+  }
+  kept.work.gap = look.word.throws > 0 && look.through ? air_gap(view, look.loop) : -1;
+}
+
+/// m; negative where the thread or the tissue cannot say it. The long end leaves the right edge, the tail the left one.
+double KnotLesson::air_gap(const View& view, double length) const {
+  const Step thread = view.object(thread_object_);
+  const auto law = strand_.law(thread);
+  if (!law || side_[0].body == kNone || side_[1].body == kNone) return -1;
+  Loop loop;
+  loop.exit = view.signal(side_[1].out);
+  loop.entry = law->length - view.signal(side_[0].tail);
+  loop.length = length;
+  loop.diameter = 2 * law->radius;
+  Vec3 out = Vec3::Zero();
+  for (const Side& side : side_) out += toolkit::Pose(view.pose(side.body)).q * Vec3::UnitZ();
+  loop.out_W = out.normalized();
+  return lesson_knot::air_gap(loop, [&](double s) {
+    const auto place = strand_.place(thread, s);
+    return place ? vec(place->p_W) : Vec3(Vec3::Zero());
+  });
 }
 
 void KnotLesson::say(const Finding& finding, const Verdict& verdict) const {
@@ -195,6 +249,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kCut, m.cut);
   tell(verdict, Measure::kTail, look.tail);
   tell(verdict, Measure::kDrops, m.drops);
+  tell(verdict, Measure::kRegrasps, m.regrasps);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
   lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
@@ -202,7 +257,13 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   if (m.held_s > 0) report_held(m, verdict);
 }
 
-// What has no value before the thread was held is not told. Of the two grips that counts which is the harder one.
+void KnotLesson::report_work(const WorkState& work, const Verdict& verdict) const {
+  if (work.gap >= 0) tell(verdict, Measure::kAirGap, work.gap);
+  tell(verdict, Measure::kIdle, WorkWatch::idle(work));
+  tell(verdict, Measure::kRegrasps, WorkWatch::regrasps(work));
+}
+
+// Metrics without a value before the thread was held are not reported. Of the two grips the one with more force counts.
 void KnotLesson::report_held(const Memory& m, const Verdict& verdict) const {
   const GripWatch& grip = judge_.grip();
   tell(verdict, Measure::kTension, judge_.pull().peak(m.pull));

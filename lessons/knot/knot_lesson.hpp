@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.knot: throws tied on the two edges of a wound. See knot.md.
+// swage.lesson.knot: tie throws on the two edges of a wound. See knot.md.
 #pragma once
 
 #include <swage/lesson.hpp>
+#include <swage/strand.hpp>
 
 #include <string>
 
 #include "card.hpp"
 #include "common/watching.hpp"
 #include "judge.hpp"
+#include "work.hpp"
 
 namespace swage::lesson_knot {
 
@@ -30,6 +32,8 @@ struct KnotLessonParams {
   double max_time = Rules{}.max_time;                        // s
   double max_over_time = Rules{}.max_over_time;              // s
   double wrong_time = Rules{}.wrong_time;                    // s
+  double slack = Rules{}.slack;                              // N
+  double retake_time = Rules{}.retake_time;                  // s
   int max_drops = Rules{}.max_drops;
 };
 
@@ -73,6 +77,8 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
       real<&P::max_time>("max_time", "Time limit", "s", "s", 1, 36000, "The attempt fails when it is over.").group("Limits"),
       real<&P::max_over_time>("max_over_time", "Too hard for", "s", "s", 0, 600, "The attempt fails when the thread was gripped too hard for longer than this.").group("Limits"),
       real<&P::wrong_time>("wrong_time", "Wrong for", "s", "s", 0.1, 600, "The attempt fails when another knot with all its throws has been there for this long.").group("Limits"),
+      real<&P::slack>("slack", "Laid down below", "N", "mN", 0, 10, "A long end that the hand lets go of between two throws, with nothing wound, is laid down and not dropped when its tension is below this: one that is drawn springs out of the jaws.").group("Limits"),
+      real<&P::retake_time>("retake_time", "Taken anew within", "s", "s", 0, 600, "A long end that was laid down and is not held again after this time is dropped.").group("Limits"),
       integer<&P::max_drops>("max_drops", "Drops", 0, 100, "The attempt fails when the thread got out of the jaws more often than this.").group("Limits"),
   };
 
@@ -80,20 +86,30 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   void bind(const Scene& scene, Binder& binder) override;
   void activate(double dt_s) override;
   void observe(const View& view, const Verdict& verdict, std::span<double> state) override;
-  void reset(std::span<double> state) override { as<Memory>(state) = {}; }
+  void reset(std::span<double> state) override { as<Kept>(state) = {}; }
 
  private:
-  /// Of one side of the wound.
+  /// Objects and signals of one side of the wound.
   struct Side {
     uint32_t tissue = kNone;
-    Signal shift, state, tail, tension, cut;
+    uint32_t body = kNone;
+    Signal shift, state, tail, tension, cut, out;
+  };
+  /// Private numbers: what the judge remembers, and what is told beside.
+  struct Kept {
+    Memory memory;
+    WorkState work;
   };
   void find_knot(const Scene& scene, Binder& binder);
+  double long_tension(const View& view) const;
   void read_knot(const View& view, Look& look) const;
   bool read(const View& view, Look& look) const;
+  void follow_work(const View& view, const Look& look, Kept& kept) const;
+  double air_gap(const View& view, double loop) const;
   void say(const Finding& finding, const Verdict& verdict) const;
   void tell_end(const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, const Look& look, const Verdict& verdict) const;
+  void report_work(const WorkState& work, const Verdict& verdict) const;
   void report_held(const Memory& memory, const Verdict& verdict) const;
   void report_points(const Points& lost, const Verdict& verdict) const;
   void tell(const Verdict& verdict, Measure measure, double value) const { verdict.metric(metric_[lessons::index(measure)], value); }
@@ -102,9 +118,10 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   Word asked_;
   uint32_t gripper_object_[2] = {kNone, kNone}, thread_object_ = kNone;  // winder, holder
   Peer gripper_[2];
+  StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
-  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_;
+  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, squeeze_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];
   Event dropped_, undone_, failed_[10];

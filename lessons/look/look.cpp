@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.look: looks on for a while, measures what it is told to, and judges nothing. For trying an object, a coupling or
-// a device, and for showing something.
+// swage.lesson.look: observes for a set time, measures the signals that its parameters name, and judges nothing. For trying an object, a
+// coupling or a device, and for demonstrations.
 #include <swage/lesson.hpp>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Measure {
   Metric metric;
 };
 
-/// "needle needle.stress 1, press contact.force N"; what is not three words has an empty unit.
+/// "needle needle.stress 1, press contact.force N"; an entry without three words has an empty unit.
 std::vector<Measure> read(const std::string& text) {
   std::vector<Measure> out;
   std::istringstream all(text);
@@ -80,7 +80,7 @@ class Look final : public Lesson<LookParams> {
     }
   }
 
-  /// The signal's own id; of a signal that two owners have, with the owner before it.
+  /// Id of the signal; preceded by the owner if two owners have that signal.
   std::string metric_id(const Measure& m) const {
     const auto same = [&m](const Measure& other) { return other.id == m.id; };
     return std::count_if(measures_.begin(), measures_.end(), same) > 1 ? m.owner + "." + m.id : m.id;

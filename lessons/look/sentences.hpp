@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences of this lesson about what it is told to measure. Tests name them, and never repeat their words.
+// Messages of this lesson about its parameter `measures`. Tests refer to the constants and do not repeat the text.
 #pragma once
 
 #include "toolkit/sentence.hpp"

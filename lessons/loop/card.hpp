@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson of the loop measures and signals: the one table behind its declarations, `swage describe` and loop.md.
+// Metrics and cues of the lesson of the loop: the one table behind its declarations, `swage describe` and loop.md.
 #pragma once
 
 #include <cstddef>

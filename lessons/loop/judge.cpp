@@ -7,7 +7,7 @@
 namespace swage::lesson_loop {
 namespace {
 
-// Share of the least force below which the jaws have let go: a grasp that is out of balance for a moment is still one that holds.
+// Share of the least force below which the jaws have let go: a grasp that is out of balance for a moment still holds.
 constexpr double kLetGo = 0.5;
 
 }  // namespace
@@ -39,7 +39,7 @@ void Judge::follow_hands(Memory& memory, const Look& look, Finding& finding) con
   if (memory.pull.now > rules_.tension) memory.taut_s += look.dt_s;
 }
 
-/// Whole turns the way that is asked for; fewer than none the other way.
+/// Whole turns in the required sense; negative in the opposite sense.
 double Judge::counted(const Look& look) const noexcept {
   return rules_.sense == 0 ? std::abs(look.whole) : rules_.sense * look.whole;
 }
@@ -62,7 +62,7 @@ void Judge::follow_turns(Memory& memory, const Look& look, Finding& finding) con
 }
 
 void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  if (look.passages > 0)  // what is wound from here on is not to be trusted
+  if (look.passages > 0)  // the thread passed through itself: its turns are no longer valid
     finding.end = End::kPassage;
   else if (memory.hold_s >= rules_.hold_time)
     finding.end = End::kPassed;
@@ -78,7 +78,7 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   finding.stage = Stage::kDone;
   finding.lost = points(memory, look.time_s);
   memory.passed = finding.end == End::kPassed ? 1 : 0;
-  // an attempt that did not pass is worth at most 40: the share of the turns and of the hold that was reached
+  // an attempt that did not pass scores at most 40: the share of the turns and of the hold that was reached
   const double turns = std::min(1.0, std::floor(memory.most_turns + 0.25) / rules_.turns);
   const double share = 0.5 * (turns + std::min(1.0, memory.best_hold_s / rules_.hold_time));
   finding.score = memory.passed != 0 ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What counts as a thread wound about an instrument, and what it is worth. Pure arithmetic on what was seen in one step; formulas:
+// Judge of a thread wound about an instrument, and its score. Pure arithmetic on the observations of one step; formulas:
 // loop.md.
 #pragma once
 
@@ -13,11 +13,11 @@ using lessons::GripWatch;
 using lessons::PathWatch;
 using toolkit::Vec3;
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   int turns = 1;
   int sense = 0;                            // 1, -1: right-handed, left-handed about the instrument; 0: either
-  double least_draw = 0.1e-3;               // N, with which the thread lies on the instrument
+  double least_draw = 0.1e-3;               // N, least force of the thread on the instrument
   double tension = 20e-3;                   // N, limit
   double force_low = 0.05, force_high = 1;  // N
   double hold_time = 2;                     // s
@@ -28,7 +28,7 @@ struct Rules {
   bool ends = true;  // limits of force and time end the attempt
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   bool held = false;
@@ -41,12 +41,12 @@ struct Look {
   double parted = 0, passages = 0;
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   lessons::PathState path[2];
   lessons::GripState grip, pull;  // of the jaws; of the thread
-  double has = 0;                 // 0 or 1: the thread is held, and the force has not been lost since
-  double on = 0;                  // 0 or 1: all turns were there in the step before
+  double has = 0;                 // 0 or 1: the thread is held, and its grip force has not ceased since
+  double on = 0;                  // 0 or 1: all turns were present in the step before
   double most_turns = 0, slips = 0, drops = 0, passages = 0;
   double held_s = 0, over_s = 0, taut_s = 0;
   double on_s = 0, behind_s = 0;  // s, m s
@@ -56,18 +56,18 @@ struct Memory {
 enum class Stage { kTake, kWind, kHold, kDone };
 enum class End { kRunning, kPassed, kPassage, kBroken, kDropped, kTooHard, kOutOfTime };
 
-/// What is lost of 100.
+/// Points deducted, of 100.
 struct Points {
   double slips = 0, drops = 0, tension = 0, force = 0, time = 0;
   double sum() const { return slips + drops + tension + force + time; }
 };
 
-/// What is said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
   bool held = false, on = false, too_many = false, taut = false, too_hard = false;
-  bool slipped = false, dropped = false;  // of this step
+  bool slipped = false, dropped = false;  // in this step
   Points lost;
   double score = 0;
 };

@@ -127,7 +127,7 @@ void LoopLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   if (m.held_s > 0) report_held(m, verdict);
 }
 
-// What has no value before the thread was held is not told.
+// Metrics without a value before the thread was held are not reported.
 void LoopLesson::report_held(const Memory& m, const Verdict& verdict) const {
   tell(verdict, Measure::kTension, judge_.pull().peak(m.pull));
   tell(verdict, Measure::kTaut, m.taut_s / m.held_s);

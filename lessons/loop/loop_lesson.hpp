@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.loop: a thread wound about the tips of an instrument. See loop.md.
+// swage.lesson.loop: wind a thread about the tips of an instrument. See loop.md.
 #pragma once
 
 #include <swage/lesson.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the lesson of passing measures and signals: the one table behind its declarations, `swage describe` and pass.md.
+// Metrics and cues of the lesson of passing: the one table behind its declarations, `swage describe` and pass.md.
 #pragma once
 
 #include <cstddef>

@@ -6,8 +6,8 @@
 namespace swage::lesson_pass {
 namespace {
 
-// Share of the least force below which a gripper has let go. Between two hands that shake the jaws are never in balance for long:
-// a grasp that is out of balance is still one that holds.
+// Share of the least force below which a gripper has let go. The jaws of two hands with tremor are rarely in balance:
+// a grasp that is out of balance still holds.
 constexpr double kLetGo = 0.5;
 
 bool has(const Memory& memory, int hand) { return memory.has[hand] != 0; }
@@ -55,7 +55,7 @@ void Judge::follow_hands(Memory& memory, const Look& look, Finding& finding) con
   memory.bending = std::max(memory.bending, look.bending);
 }
 
-// A needle belongs to whoever last had it alone; it has been passed when both had it in between, at the place and for long enough.
+// The owner of the needle is the hand that last held it alone. It was passed if both held it in between, at the place and for long enough.
 void Judge::follow_owner(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool both = has(memory, 0) && has(memory, 1);
   if (both) {
@@ -119,7 +119,7 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   finding.stage = Stage::kDone;
   finding.lost = points(memory, look.time_s);
   memory.passed = finding.end == End::kPassed ? 1 : 0;
-  // an attempt that did not pass is worth at most 40: the share of passes and of the hold that was reached
+  // an attempt that did not pass scores at most 40: the share of passes and of the hold that was reached
   const double share = (std::min<double>(memory.passes, rules_.passes) + std::min(1.0, memory.best_hold_s / rules_.hold_time)) /
                        (rules_.passes + 1);
   finding.score = memory.passed != 0 ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;

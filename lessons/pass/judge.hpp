@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What counts as a pass from one gripper to the other, and what it is worth. Pure arithmetic on what was seen in one step;
+// Judge of passing a needle from one gripper to the other, and its score. Pure arithmetic on the observations of one step;
 // formulas: pass.md.
 #pragma once
 
@@ -16,7 +16,7 @@ using toolkit::Vec3;
 
 inline constexpr int kHands = 2;
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   double force_low = 0.05, force_high = 1;  // N
   double place_radius = 1e-3;               // m
@@ -31,7 +31,7 @@ struct Rules {
   bool ends = true;                                    // limits of force and time end the attempt
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   struct Hand {
@@ -40,24 +40,24 @@ struct Look {
     Vec3 tip_W = Vec3::Zero();
   } hand[kHands];
   Vec3 needle_W = Vec3::Zero();
-  double place_distance = 0;  // m, of the needle's nearest place from where it is passed
+  double place_distance = 0;  // m, of the nearest place of the needle to the place of passing
   double bending = 0;         // moment in the needle over its yield moment
-  bool reset = false;         // the program has brought the needle back
+  bool reset = false;         // the needle was reset in this step
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   lessons::PathState path[kHands];
   lessons::GripState grip[kHands];
   lessons::DropState drop;
   double begun = 0;             // 0 or 1
   double start[3] = {0, 0, 0};  // m, where the needle lay
-  double has[kHands] = {0, 0};  // 0 or 1: it was held, and its force has not been lost since
-  double owner = 0;             // 1 + the hand that last held it alone; 0: nobody yet
-  double both_s = 0, place_s = 0;   // s held by both since its owner had it alone, and of that at the place
+  double has[kHands] = {0, 0};  // 0 or 1: the needle is held, and the grip force has not ceased since
+  double owner = 0;             // 1 + index of the hand that last held it alone; 0: none yet
+  double both_s = 0, place_s = 0;   // s, held by both since the owner held it alone; s, of that at the place
   double passes = 0, snatches = 0, drops = 0, resets = 0;
   double shared_s = 0;                 // s, of all passes
-  double error_s = 0, shared_all_s = 0;  // m s and s, while both held it
+  double error_s = 0, shared_all_s = 0;  // m s and s, over the time in which both held it
   double held_s = 0, over_s = 0, bending = 0;
   double hold_s = 0, best_hold_s = 0, passed = 0;
 };
@@ -65,18 +65,18 @@ struct Memory {
 enum class Stage { kTake, kBring, kPass, kHold, kDone };
 enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kLost };
 
-/// What is lost of 100.
+/// Points deducted, of 100.
 struct Points {
   double drops = 0, snatches = 0, force = 0, bending = 0, time = 0;
   double sum() const { return drops + snatches + force + bending + time; }
 };
 
-/// What is said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
   bool near_place = false, may_let_go = false, held = false;
-  bool passed_on = false, snatched = false, dropped = false;  // of this step
+  bool passed_on = false, snatched = false, dropped = false;  // in this step
   bool too_hard[kHands] = {false, false};
   Points lost;
   double score = 0;

@@ -45,7 +45,7 @@ void PassLesson::bind(const Scene& scene, Binder& binder) {
   needle_body_ = needle.first_body;
   needle_ = Peer(needle.instance);
   if (!needle_.graspable()) return binder.error("\"" + params().needle + "\" cannot be asked where it is nearest to the place");
-  bending_ = scene.find_signal(params().needle, "needle.stress");  // of a needle that bends
+  bending_ = scene.find_signal(params().needle, "needle.stress");  // only a needle that bends offers it
   put_back_ = scene.find_event("swage", "host.reset");
   place_ = binder.mark_point(params().place, params().place_radius, "target.point");
 }
@@ -113,7 +113,7 @@ void PassLesson::say(const Finding& finding, const Verdict& verdict) const {
   verdict.fail(reason, finding.score);
 }
 
-// What has no value before the needle was held is not told.
+// Metrics without a value before the needle was held are not reported.
 void PassLesson::report(const Memory& m, double time_s, const Verdict& verdict) const {
   tell(verdict, Measure::kTime, Judge::task_time(m, time_s));
   tell(verdict, Measure::kSuccess, m.passed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.pass: a needle from one gripper to the other. See pass.md.
+// swage.lesson.pass: pass a needle from one gripper to the other. See pass.md.
 #pragma once
 
 #include <swage/lesson.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the ring lesson measures and signals: the one table behind its declarations, `swage describe` and ring.md. Codes M.. are
+// Metrics and cues of the ring lesson: the one table behind its declarations, `swage describe` and ring.md. Codes M.. are
 // those of the metric catalogue that the page names.
 #pragma once
 
@@ -66,7 +66,7 @@ inline constexpr swage_metric_info kMetrics[] = {
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-/// What they are called, and which are shown first.
+/// Titles of the metrics, and the order in which the first ones are shown.
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskTimeLabel,
     lessons::kTaskSuccessLabel,
@@ -93,7 +93,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kPointsTimeLabel,
 };
 
-/// What is asked of the trainee.
+/// Requirements on the trainee.
 inline constexpr swage_criterion kCriteria[] = {
     {"Carry the ring along the wire and off its free end.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Lower it over each post in turn: {posts}; let go over the last.", "posts", SWAGE_CRITERION_PASS, 0},

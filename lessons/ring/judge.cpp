@@ -6,19 +6,19 @@
 namespace swage::lesson_ring {
 namespace {
 
-// Touches below this are none, N: the noise of the solver is below a micronewton, a ring of steel weighs 15.
+// Least force of a touch, N: the noise of the solver is below 1 uN, the weight of a steel ring is 15 uN.
 constexpr double kTouchForce = 1e-4;
-// Two touches are apart by so much, s, as stray touches of tissue are.
+// Least time between two touches, s, as for stray touches of tissue.
 constexpr double kApart = 0.15;
-// A held ring has been lifted when it is so far from where it lay, m.
+// Distance from its start at which a held ring counts as lifted, m.
 constexpr double kLifted = 0.2e-3;
-// A ring is round a line that passes within this share of its radius, at less than 60 deg to its axis.
+// A line passes through the ring within this share of its radius, at less than 60 deg (cosine 0.5) to its axis.
 constexpr double kHole = 0.95, kUpright = 0.5;
-// A ring is over a post once the post stands out of it by this share of its height.
+// Place on a post, 0 foot to 1 top, below which a ring is over the post.
 constexpr double kOver = 0.85;
-// The last of the wire that counts as its end, and the way after which a ring that never came clear is carried, shares.
+// Shares of the wire: place that counts as its end, and length after which a ring that never came clear counts as carried.
 constexpr double kAtEnd = 0.97, kSetOff = 0.03;
-// A ring that was let go over the last post must have stayed there so long, s.
+// Time that a ring must rest on the last post after it was let go, s.
 constexpr double kRest = 0.3;
 
 }  // namespace
@@ -52,7 +52,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   return finding;
 }
 
-// The ring lies on the wire when it is taken: touches count from when it has come clear, or has set off without that.
+// The ring lies on the wire when it is taken: touches count once it has come clear, or has moved along the wire by kSetOff.
 void Judge::follow_touch(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool touches = look.touch > kTouchForce;
   memory.untouched_s = touches ? 0 : memory.untouched_s + look.dt_s;
@@ -79,7 +79,7 @@ void Judge::follow_wire(Memory& memory, const Look& look) const noexcept {
   const double at = std::clamp((look.wire.s - rules_.course_low) / length, 0.0, 1.0);
   if (memory.first_s < 0) memory.first_s = at, memory.last_s = look.wire.s;
   if (!round) {
-    // past the end nothing goes through it any more
+    // past the end the wire no longer passes through the ring
     if (memory.reached >= kAtEnd) memory.free = 1;
     return;
   }
@@ -103,7 +103,7 @@ void Judge::follow_posts(Memory& memory, const Look& look, Finding& finding) con
 }
 
 void Judge::follow_ring(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  // what is let go over the last post slides down it
+  // a ring that is let go over the last post slides down the post
   const bool safe = finding.over_post && memory.posts + 1 >= rules_.posts;
   finding.dropped = drop_.look(memory.drop, look.ring_W, (look.held && look.force > 0) || safe);
   if (finding.dropped) memory.drops += 1;
@@ -135,7 +135,7 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   finding.lost.drops = 15 * memory.drops;
   finding.lost.force = 20 * over_share(memory);
   finding.lost.time = 15 * std::clamp(task_time(memory, look.time_s) / rules_.par_time - 1, 0.0, 1.0);
-  // an attempt that did not pass is worth at most 40: the share of the way that was done, wire and posts alike
+  // an attempt that did not pass scores at most 40: the completed share of wire and posts
   const double share = (progress(memory) + memory.posts) / (1 + rules_.posts);
   finding.score = done ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;
 }

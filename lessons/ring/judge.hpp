@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far a ring has come along a wire and over its posts, what it touched, and what that is worth. Pure arithmetic on what was
-// seen in one step; meanings and formulas are explained in ring.md.
+// Judge of a ring carried along a wire and over posts: progress, touches and score. Pure arithmetic on the observations of one
+// step; terms and formulas are explained in ring.md.
 #pragma once
 
 #include "common/grip.hpp"
@@ -21,7 +21,7 @@ using toolkit::Vec3;
 
 inline constexpr int kMostPosts = 4;
 
-/// What is asked of the trainee.
+/// Requirements on the trainee, from the parameters of the lesson.
 struct Rules {
   double course_low = 0, course_high = 1;  // of the wire, 0..1
   int posts = 1;
@@ -36,14 +36,14 @@ struct Rules {
   bool ends = true;              // limits of force, time and touches end the attempt
 };
 
-/// The nearest place of a wire or post, seen from the ring's centre.
+/// Nearest place of a wire or post to the ring's centre.
 struct Line {
-  double s = 0;         // 0..1 along it; of a post 1 is its top
+  double s = 0;         // 0..1 along the line; 1 is the top of a post
   double distance = 0;  // m, from the ring's centre
-  double cosine = 0;    // of the angle between the ring's axis and it, 0..1
+  double cosine = 0;    // 0..1, of the angle between the ring's axis and the line
 };
 
-/// What one step shows.
+/// Observations of one step.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   bool held = false, taken = false;  // taken: event of this step
@@ -51,10 +51,10 @@ struct Look {
   double touch = 0;                  // N, sum of the forces of all watched couplings
   Vec3 tip_W = Vec3::Zero(), ring_W = Vec3::Zero();  // m
   double ring_radius = 1e-3, wire_length = 1e-2;     // m
-  Line wire, post;                                   // the post that comes next
+  Line wire, post;                                   // post: the next one
 };
 
-/// Everything remembered from step to step: doubles only.
+/// State of the judge from step to step: doubles only.
 struct Memory {
   PathState path;
   DropState drop;
@@ -63,15 +63,15 @@ struct Memory {
   double begun = 0;             // 0 or 1
   double start[3] = {0, 0, 0};  // m
   double grasps = 0, drops = 0, touches = 0;
-  double lifted = 0;                        // 0 or 1: it has come clear of the wire, or has set off without
+  double lifted = 0;                        // 0 or 1: the ring has come clear of the wire, or has moved along it
   double touching = 0, untouched_s = 0;     // 0 or 1; s
   double touch_s = 0, carried_s = 0;        // s
   double touch_peak = 0;                    // N
-  double over_s = 0;                        // s, held too hard
+  double over_s = 0;                        // s, held with too much force
   double first_s = -1, last_s = 0;          // place on the wire when it was first held; in the last step
   double travel = 0, off2 = 0, tilt2 = 0;   // m; m3, rad2 m: integrals over the travel
   double reached = 0;                       // 0..1 of the course
-  double free = 0;                          // 0 or 1: off the free end
+  double free = 0;                          // 0 or 1: the ring is off the free end
   double posts = 0, over_post = 0, rest_s = 0;  // posts done; 0 or 1; s, let go over the last post
   double passed = 0;
 };
@@ -79,20 +79,20 @@ struct Memory {
 enum class Stage { kTake, kCarry, kPost, kDone };
 enum class End { kRunning, kPassed, kTouched, kDropped, kTooHard, kOutOfTime, kLost };
 
-/// Points of 100 that were lost.
+/// Points deducted, of 100.
 struct Points {
   double touches = 0, touch_time = 0, drops = 0, force = 0, time = 0;
   double sum() const { return touches + touch_time + drops + force + time; }
 };
 
-/// What is to be said after one step.
+/// Result of the judge for one step.
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
   bool carried = false, touching = false, too_hard = false, over_post = false;
   bool touched = false, dropped = false, post_done = false;  // in this step
-  double score = 0;                                          // 0..100, once it has ended
-  Points lost;                                               // likewise, when it was passed
+  double score = 0;                                          // 0..100, once the attempt has ended
+  Points lost;                                               // likewise, of a passed attempt
 };
 
 class Judge {
@@ -100,11 +100,11 @@ class Judge {
   Judge() = default;
   Judge(const Rules& rules, double dt);
 
-  /// [rt]
+  /// Judges one step. [rt]
   Finding look(Memory& memory, const Look& look) const noexcept;
   const Rules& rules() const { return rules_; }
   const GripWatch& grip() const { return grip_; }
-  /// Whether a line goes through the ring's hole.
+  /// Whether a line passes through the ring's hole.
   static bool threaded(const Line& line, double ring_radius);
 
  private:

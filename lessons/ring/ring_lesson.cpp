@@ -89,7 +89,7 @@ void RingLesson::activate(double dt_s) {
   judge_ = Judge(rules, dt_s);
 }
 
-/// The nearest place of a wire or post.
+/// Finds the nearest place of a wire or post.
 bool RingLesson::see(const View& view, const Thing& thing, const Vec3& axis_W, Look& look, Line& line) const {
   const auto place = thing.peer.locate(view.object(thing.object), toolkit::raw(look.ring_W));
   if (!place) return false;
@@ -111,7 +111,7 @@ bool RingLesson::read(const View& view, const Memory& memory, Look& look) const 
   look.tip_W = vec(jaws->tip_W);
   look.ring_W = vec(view.pose(ring_body_).p);
   for (const Signal& touch : touch_) look.touch += view.signal(touch);
-  // every place of a circle is as far from its middle
+  // any place on the centre line gives the ring's radius
   const auto rim = ring_.peer.locate(view.object(ring_.object), toolkit::raw(look.ring_W));
   if (!rim) return false;
   look.ring_radius = (vec(rim->p_W) - look.ring_W).norm();
@@ -124,7 +124,7 @@ bool RingLesson::read(const View& view, const Memory& memory, Look& look) const 
 /// Top of the post that comes next, or of the last one.
 bool RingLesson::next_post(const View& view, const Memory& memory, swage_vec3& p_W) const {
   const Thing& post = posts_[std::min(static_cast<size_t>(memory.posts), posts_.size() - 1)];
-  constexpr double kFarUp = 1;  // m: from there the top is nearest
+  constexpr double kFarUp = 1;  // m, height from which the top is the nearest place
   const auto top = post.peer.locate(view.object(post.object), toolkit::raw(Vec3(0, 0, kFarUp)));
   if (top) p_W = top->p_W;
   return top.has_value();
@@ -165,7 +165,7 @@ void RingLesson::say(const View& view, const Memory& memory, const Finding& find
   verdict.fail(reason, finding.score);
 }
 
-// What has no value before the ring was carried is not told.
+// Metrics without a value before the ring was carried are not reported.
 void RingLesson::report(const Memory& m, double time_s, const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
   tell(Measure::kTime, task_time(m, time_s));

@@ -91,7 +91,7 @@ class RingLesson final : public Lesson<RingParams> {
   void reset(std::span<double> state) override { as<Memory>(state) = {}; }
 
  private:
-  /// Something through which or over which the ring goes.
+  /// The wire, a post or the ring itself.
   struct Thing {
     uint32_t object = kNone;
     Peer peer;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Drawn marks of wounds: torn places, where they lead, whether the needle is in them.
+#include <algorithm>
+#include <cmath>
+
 #include "pierce.hpp"
 
 namespace swage::coupling_pierce {
@@ -31,43 +34,28 @@ Pose Pierce::plane_in_world(const PierceState& state, const Site& site, uint32_t
   return X;
 }
 
-uint32_t Pierce::tears(const CouplingStep& step, std::span<swage_tear> out) {
+// Wounds come first: of many capsules the last have no room.
+void Pierce::draw(const CouplingStep& step, Visuals& out) {
   const Site site(needle_, tissue_, step.a(), step.b());
+  if (!site.good) return;
   const auto& state = step.state<PierceState>();
-  uint32_t n = 0;
-  for (uint32_t i = 0; site.good && i < PierceState::kWounds; ++i) {
-    const Wound& wound = state.wound[i];
-    if (wound.open == 0) continue;
-    const Pose X = plane_in_world(state, site, i);
-    const auto world = [&](const double* at) { return raw(X * in_plane(wound, at)); };
+  const auto each = [&](const auto& put) {
+    for (uint32_t i = 0; i < PierceState::kWounds; ++i)
+      if (state.wound[i].open != 0) put(i, state.wound[i], plane_in_world(state, site, i));
+  };
+  each([&](uint32_t i, const Wound& wound, const Pose& X) {
+    const Vec3 p_W = X * in_plane(wound, wound.centre), inward_W = X.q * Vec3(wound.inward[0], wound.inward[1], wound.inward[2]);
+    out.wound(i, raw(p_W), raw(Vec3(p_W + wound.depth * inward_W)), raw(inward_W), std::sqrt(std::max(0.0, wound.area) / M_PI),
+              filled_at(state, i) > 0);
+  });
+  each([&](uint32_t i, const Wound& wound, const Pose& X) {
     const swage_vec3 normal_W = raw(X.q * axis(wound, 0));
     const auto put = [&](const double* a, const double* b) {
-      if (n < out.size()) out[n++] = {world(a), world(b), normal_W, wound.radius, i, 0};
+      out.tear(i, raw(X * in_plane(wound, a)), raw(X * in_plane(wound, b)), normal_W, wound.radius);
     };
-    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count); ++k)
-      put(wound.capsule[k].a, wound.capsule[k].b);
+    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count); ++k) put(wound.capsule[k].a, wound.capsule[k].b);
     put(wound.centre, wound.centre);
-  }
-  return n;
-}
-
-uint32_t Pierce::wounds(const CouplingStep& step, std::span<swage_wound> out) {
-  const Site site(needle_, tissue_, step.a(), step.b());
-  const auto& state = step.state<PierceState>();
-  uint32_t n = 0;
-  for (uint32_t i = 0; site.good && i < PierceState::kWounds && n < out.size(); ++i) {
-    const Wound& wound = state.wound[i];
-    if (wound.open == 0) continue;
-    const Pose X = plane_in_world(state, site, i);
-    const uint32_t filled = filled_at(state, i) > 0 ? 1 : 0;
-    out[n++] = {raw(X * in_plane(wound, wound.centre)),
-                raw(X.q * Vec3(wound.inward[0], wound.inward[1], wound.inward[2])),
-                wound.depth,
-                wound.area,
-                i,
-                filled};
-  }
-  return n;
+  });
 }
 
 }  // namespace swage::coupling_pierce

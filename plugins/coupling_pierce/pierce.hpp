@@ -62,7 +62,7 @@ struct Press {
   Vec3 surface_W = Vec3::Zero();  // m, on the undisturbed surface
 };
 
-class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing {
+class Pierce final : public Coupling<PierceParams>, public Ties, public DrawingOnB {
  public:
   static constexpr auto id = "swage.coupling.pierce";
   static constexpr auto version = "1.0.0";
@@ -110,8 +110,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
   void reset(const CouplingStep& step) override;
-  uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
-  uint32_t wounds(const CouplingStep& step, std::span<swage_wound> out) override;
+  void draw(const CouplingStep& step, Visuals& out) override;
 
  private:
   bool passes(const PierceState& state, const Site& site, const swage_contact& contact, double s) const;

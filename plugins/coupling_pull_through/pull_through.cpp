@@ -31,22 +31,28 @@ void PullThrough::build(const PullThroughParams& params, CouplingBuilder& builde
   tail_ = builder.signal("pull.tail", "m", "Thread that has not gone in yet; 0 when it is not in the tissue.");
   out_ = builder.signal("pull.out", "m", "Thread that has come out; 0 when none has.");
   inside_ = builder.signal("pull.inside", "m", "Thread in the tissue.");
-  drag_ = builder.signal("pull.drag", "N", "Of the tissue against the thread, along it.");
+  const bool all = params.tells == Tells::kAll;
+  if (!all) drawn_ = builder.signal("pull.drawn", "m", "Thread from its leading end to where it went in last; 0 when it is not in the tissue.");
+  if (all) drag_ = builder.signal("pull.drag", "N", "Of the tissue against the thread, along it.");
   force_ = builder.signal("pull.force", "N", "Of the thread on the tissue.");
-  lateral_ = builder.signal("pull.lateral", "N", "The greatest across the thread at one of its holes.");
+  if (all) lateral_ = builder.signal("pull.lateral", "N", "The greatest across the thread at one of its holes.");
   tension_tail_ = builder.signal("pull.tension_tail", "N", "Tension of the thread before it goes in.");
   tension_out_ = builder.signal("pull.tension_out", "N", "Tension of the thread where it has come out.");
   cut_ = builder.signal("pull.cut", "m", "How far the thread has cut its holes through the tissue, the farthest of them.");
   back_ = builder.signal("pull.back", "m", "Thread drawn back so far, against its way: sawing.");
-  bites_ = builder.signal("pull.bites", "1", "Times that the thread goes through the tissue now.");
-  loop_ = builder.signal("pull.loop", "m", "Thread between the last bite and the one before it, or the other end; 0 when it is not in the tissue.");
-  loop_least_ = builder.signal("pull.loop_least", "m", "The shortest such length of all bites.");
-  loop_most_ = builder.signal("pull.loop_most", "m", "The longest such length of all bites.");
+  if (all) declare_loops(builder);
   in_ = builder.event("pull.went_in", "The thread went in; value: drawn in so far, m.");
   came_out_ = builder.event("pull.came_out", "Its leading end came out; value: length inside, m.");
   back_out_ = builder.event("pull.went_back", "It was drawn back out of the way it came.");
   through_ = builder.event("pull.went_through", "Its other end has gone through; nothing is left in the tissue.");
   cut_event_ = builder.event("pull.has_cut", "It has cut farther through the tissue than the limit; value: how far, m.");
+}
+
+void PullThrough::declare_loops(CouplingBuilder& builder) {
+  bites_ = builder.signal("pull.bites", "1", "Times that the thread goes through the tissue now.");
+  loop_ = builder.signal("pull.loop", "m", "Thread between the last bite and the one before it, or the other end; 0 when it is not in the tissue.");
+  loop_least_ = builder.signal("pull.loop_least", "m", "The shortest such length of all bites.");
+  loop_most_ = builder.signal("pull.loop_most", "m", "The longest such length of all bites.");
 }
 
 void PullThrough::bind(const Peer& a, const Peer& b) {
@@ -190,16 +196,20 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
     inside += state.bite[b].inside(), least = std::min(least, l), most = std::max(most, l);
   }
   step.signal(state_, !in ? 0 : newest.out == 0 ? 1 : 2);
-  step.signal(bites_, state.bites);
-  step.signal(loop_, loop);
-  step.signal(loop_least_, least);
-  step.signal(loop_most_, most);
+  if (bites_.valid()) {
+    step.signal(bites_, state.bites);
+    step.signal(loop_, loop);
+    step.signal(loop_least_, least);
+    step.signal(loop_most_, most);
+    step.signal(drag_, state.drag_along);
+    step.signal(lateral_, state.lateral);
+  } else {
+    step.signal(drawn_, in ? newest.hole[0].u : 0);
+  }
   step.signal(tail_, in ? std::max(0.0, site.strand.length - first) : 0);
   step.signal(out_, last);
   step.signal(inside_, inside);
-  step.signal(drag_, state.drag_along);
   step.signal(force_, vec3(state.force).norm());
-  step.signal(lateral_, state.lateral);
   step.signal(tension_tail_, in ? site.place(first + beside).tension : 0);
   step.signal(tension_out_, in ? site.place(last - beside).tension : 0);
   step.signal(cut_, state.cut);
@@ -207,28 +217,22 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
 }
 
 /// Marks entry and exit where they have been cut longer.
-uint32_t PullThrough::tears(const CouplingStep& step, std::span<swage_tear> out) {
+void PullThrough::draw(const CouplingStep& step, Visuals& out) {
   const auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
-  if (!site.good) return 0;
-  uint32_t n = 0;
+  if (!site.good) return;
   for (uint32_t k = 0; k < Passage::kHoles * static_cast<uint32_t>(state.count()); ++k) {
     const Passage& passage = state.bite[k / Passage::kHoles];
     const uint32_t i = k % Passage::kHoles;
     if (i >= passage.holes()) continue;
     const Hole& hole = passage.hole[i];
     const bool face = i == 0 || (passage.out != 0 && i + 1 == passage.holes());
-    if (!face || hole.cut < site.strand.radius || n == out.size()) continue;
+    if (!face || hole.cut < site.strand.radius) continue;
     const Vec3 normal = vec3(hole.normal), way = vec3(hole.p) - vec3(hole.first), flat = way - normal.dot(way) * normal;
-    swage_tear& tear = out[n];
-    tear = {};
-    tear.a_W = raw(site.world(hole.first));
-    tear.b_W = raw(Vec3(vec(tear.a_W) + toolkit::rotated(site.X_WO.q, flat)));
-    tear.normal_W = raw(toolkit::rotated(site.X_WO.q, normal));
-    tear.radius = site.strand.radius;
-    tear.wound = n++;
+    const swage_vec3 first_W = raw(site.world(hole.first));
+    out.tear(out.size(), first_W, raw(Vec3(vec(first_W) + toolkit::rotated(site.X_WO.q, flat))),
+             raw(toolkit::rotated(site.X_WO.q, normal)), site.strand.radius);
   }
-  return n;
 }
 
 }  // namespace swage::coupling_pull_through

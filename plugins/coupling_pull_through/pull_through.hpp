@@ -16,6 +16,7 @@ namespace swage::coupling_pull_through {
 
 enum class Leads : int { kFirst, kLast };
 enum class Starts : int { kOutside, kThrough };
+enum class Tells : int { kAll, kStitches };
 
 struct PullThroughParams {
   Leads leads = Leads::kFirst;
@@ -26,6 +27,7 @@ struct PullThroughParams {
   double in_from = 0.1e-3;     // m
   double cut_from = 0.2e-3;    // m
   int bites = 1;
+  Tells tells = Tells::kAll;
 };
 
 inline constexpr int kMostBites = 4;
@@ -52,7 +54,7 @@ struct PullThroughState {
   }
 };
 
-class PullThrough final : public Coupling<PullThroughParams>, public Ties, public Tearing {
+class PullThrough final : public Coupling<PullThroughParams>, public Ties, public DrawingOnB {
  public:
   static constexpr auto id = "swage.coupling.pull_through";
   static constexpr auto version = "1.0.0";
@@ -68,6 +70,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
 
   static constexpr const char* kLeads[] = {"first", "last", nullptr};
   static constexpr const char* kStarts[] = {"outside", "through", nullptr};
+  static constexpr const char* kTells[] = {"all", "stitches", nullptr};
   static constexpr std::array fields = {
       choice<&PullThroughParams::leads>("leads", "Leading end", kLeads, "Which end of the thread the needle draws in."),
       choice<&PullThroughParams::starts>("starts", "Starts", kStarts,
@@ -86,6 +89,9 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
                                          "A hole cut by more than this sends the event pull.has_cut."),
       integer<&PullThroughParams::bites>("bites", "Bites", 1, kMostBites,
                                          "So often at most the thread goes through the tissue at once: 1 a single stitch, more a running suture."),
+      choice<&PullThroughParams::tells>("tells", "Tells", kTells,
+                                        "Which signals there are: all but pull.drawn; or for single stitches with one thread, in a scene that has no "
+                                        "room for all, pull.drawn in the place of pull.drag, pull.lateral, pull.bites and those of loops."),
   };
 
   void build(const PullThroughParams& params, CouplingBuilder& builder) override;
@@ -95,12 +101,13 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
   void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
-  uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
+  void draw(const CouplingStep& step, Visuals& out) override;
 
  private:
   Site site(const CouplingStep& step) const {
     return {thread_, tissue_, step.a(), step.b(), params_.leads == Leads::kLast};
   }
+  void declare_loops(CouplingBuilder& builder);
   PassageLaw law(const Site& site) const;
   bool passes(const Site& site, const PullThroughState& state, const swage_contact& contact) const;
   void follow_end(const CouplingStep& step, const Site& site, PullThroughState& state) const;
@@ -111,7 +118,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   PullThroughParams params_;
   StrandPeer thread_;
   Peer tissue_;
-  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_, bites_, loop_, loop_least_, loop_most_;
+  Signal drawn_, state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_, bites_, loop_, loop_least_, loop_most_;
   Event in_, came_out_, back_out_, through_, cut_event_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "thread.hpp"
 
+#include <swage/abi/spheres.h>
 #include <swage/plugin.hpp>
 
 #include <algorithm>
@@ -159,7 +160,7 @@ void Thread::declare(ObjectBuilder& builder) {
   // half a circle of it, within which the thread is not looked for, is two segments: of three that close a loop the outer ones meet
   const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * rod_.rest_length(0));
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
-                {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
+                {masses() ? uint32_t{SWAGE_CHAIN_SPHERES} : uint32_t{SWAGE_CHAIN_SEGMENTS}, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
   builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + (several() ? 5 : 4));
   point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), vertices() + kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");

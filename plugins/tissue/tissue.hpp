@@ -64,7 +64,7 @@ class Tissue final : public Object<TissueParams>,
                      public Pierceable,
                      public Solver,
                      public Surface,
-                     public Dented {
+                     public Drawing {
  public:
   static constexpr auto id = "swage.object.tissue";
   static constexpr auto version = "1.0.0";
@@ -185,7 +185,7 @@ class Tissue final : public Object<TissueParams>,
                   double* W) override;
   void displacement(const Step& step, std::span<const swage_contact_point> points, double* u_W) override;
   void apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
-  uint32_t dents(const Step& step, std::span<swage_dent> out) override;
+  void draw(const Step& step, Visuals& out) override;
 
  private:
   static constexpr uint32_t kSources = 32;  // largest number of sources; when full, the weakest is replaced

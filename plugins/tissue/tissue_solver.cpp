@@ -301,18 +301,16 @@ Mat3 Tissue::own(const Vec3& foot_O) const {
   return mesh_.between(at, at);
 }
 
-uint32_t Tissue::dents(const Step& step, std::span<swage_dent> out) {
-  if (!yields()) return 0;
+void Tissue::draw(const Step& step, Visuals& out) {
+  if (!yields()) return;
   const Frame& X_WO = frame(step);
-  uint32_t n = 0;
   for (const Source& s : step.state<State>().source) {
     const Vec3 amplitude = vec3(s.f) + vec3(s.v);
-    if (amplitude.norm() < 1e3 * kForgotten || n == out.size()) continue;
+    if (amplitude.norm() < 1e3 * kForgotten) continue;
     const Spot at = spot(X_WO, place_of(s));
-    out[n++] = {raw(X_WO * at.foot_O), raw(Vec3(at.axes_W * (own(at.foot_O) * amplitude))),
-                2 * params_.spread / 3.141592653589793};
+    const Vec3 rest_W = X_WO * at.foot_O;
+    out.dent(raw(rest_W), raw(Vec3(rest_W + at.axes_W * (own(at.foot_O) * amplitude))), 2 * params_.spread / 3.141592653589793);
   }
-  return n;
 }
 
 }  // namespace swage::tissue

@@ -7,12 +7,13 @@
 
 namespace bad_coupling {
 
-enum class Fault { kNegative, kPoisoned, kTies, kTiePlace, kTieBody, kTieStrength, kTears, kTear, kWounds, kWound };
+enum class Fault { kNegative, kPoisoned, kTies, kTiePlace, kTieBody, kTieStrength, kVisuals, kVisualKind, kVisualBody, kVisualNumber,
+                   kVisualSize, kVisualStrength, kVisualMeddles, kVisualOther };
 constexpr Fault kFault = Fault::FAULT;
 // a fault that the step itself punishes begins after the first steps of a scene
 constexpr double kGood = 0.1;  // s
 
-class Bad final : public swage::Coupling<>, public swage::Ties, public swage::Tearing {
+class Bad final : public swage::Coupling<>, public swage::Ties {
  public:
   static constexpr auto id = ID, version = "1.0.0", name = "Bad coupling", summary = "Has one fault.",
                         author = "Swage", licence = "Apache-2.0";
@@ -41,16 +42,27 @@ class Bad final : public swage::Coupling<>, public swage::Ties, public swage::Te
     return 1;
   }
   void on_solved(const swage::CouplingStep&, std::span<const swage_tie>) override {}
-  uint32_t tears(const swage::CouplingStep&, std::span<swage_tear> out) override {
-    if (!is(Fault::kTears, Fault::kTear)) return 0;
-    if (kFault == Fault::kTears) return static_cast<uint32_t>(out.size()) + 1;
-    out[0] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, std::nan(""), 0, 0};
-    return 1;
+  // by the table itself: the wrapper's list keeps within its room
+  const void* extension(std::string_view wanted) override {
+    static constexpr swage_visuals visuals{[](swage_instance* raw, const swage_object_step*, const swage_coupling_step* step, uint32_t capacity,
+                                              swage_visual* out, uint32_t* n) -> swage_result {
+      *n = swage::self<Bad>(raw).draw(*step, capacity, *out);
+      return SWAGE_OK;
+    }};
+    return wanted == SWAGE_EXT_VISUAL ? &visuals : nullptr;
   }
-  uint32_t wounds(const swage::CouplingStep&, std::span<swage_wound> out) override {
-    if (!is(Fault::kWounds, Fault::kWound)) return 0;
-    if (kFault == Fault::kWounds) return static_cast<uint32_t>(out.size()) + 1;
-    out[0] = {{0, 0, 0}, {0, 0, 1}, std::nan(""), 0, 0, 0};
+  uint32_t draw(const swage_coupling_step& step, uint32_t capacity, swage_visual& out) {
+    if (!is(Fault::kVisuals, Fault::kVisualOther)) return 0;
+    if (kFault == Fault::kVisuals) return capacity + 1;
+    if (capacity == 0) return 0;
+    out = {SWAGE_VISUAL_LINE, SWAGE_NONE, 0, SWAGE_TONE_INK, {0, 0, 0}, {1e-3, 0, 0}, {0, 0, 0}, 1e-4, 1};
+    if (kFault == Fault::kVisualKind) out.kind = 99;
+    if (kFault == Fault::kVisualBody) out.body = step.b->n_body;
+    if (kFault == Fault::kVisualNumber) out.b.y = std::nan("");
+    if (kFault == Fault::kVisualSize) out.radius = -1e-4;
+    if (kFault == Fault::kVisualStrength) out.strength = 1.5;
+    if (kFault == Fault::kVisualMeddles) step.signal[0] += 1;
+    if (kFault == Fault::kVisualOther) out.a.x = 1e-6 * ++drawn_;
     return 1;
   }
   void finish(const swage::CouplingStep& step) override {
@@ -63,7 +75,7 @@ class Bad final : public swage::Coupling<>, public swage::Ties, public swage::Te
 
   swage::Signal gap_;
   bool late_ = false;
-  double sum_ = 0;
+  double sum_ = 0, drawn_ = 0;
 };
 
 }  // namespace bad_coupling

@@ -12,7 +12,7 @@
 namespace {
 
 enum Fault {
-  kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kInfinite, kAborts, kDents, kManyDents, kNearest,
+  kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kInfinite, kAborts, kDents, kMeddles, kNearest,
   kSurface, kUnsteadySurface, kBandless
 };
 
@@ -30,7 +30,7 @@ template <Fault F>
 using Skin = std::conditional_t<F == kSurface || F == kUnsteadySurface, swage::Surface, NoSurface>;
 
 template <Fault F>
-class Ball final : public swage::Object<>, public swage::Solid, public swage::Solver, public swage::Dented, public swage::Graspable,
+class Ball final : public swage::Object<>, public swage::Solid, public swage::Solver, public swage::Drawing, public swage::Graspable,
                    public Skin<F> {
  public:
   static constexpr auto id = ID, version = "1.0.0", name = "Ball on a spring", summary = "A flexible object with a fault.",
@@ -99,10 +99,9 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
     return F == kBandless && wanted == SWAGE_EXT_BAND ? &band : nullptr;
   }
 
-  uint32_t dents(const swage::Step&, std::span<swage_dent> out) override {
-    if (F == kManyDents) return static_cast<uint32_t>(out.size()) + 1;
-    if (F == kDents && !out.empty()) out[0] = {{0, 0, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1e-3};
-    return F == kDents && !out.empty() ? 1 : 0;
+  void draw(const swage::Step& step, swage::Visuals& out) override {
+    if (F == kDents) out.dent({0, 0, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1e-3);
+    if (F == kMeddles) step.state<State>().rest.x += 1e-6;
   }
   void locate(const swage::Step& step, swage_vec3, swage_graspable_place& out) override {
     out = {0.5, 1e-3, step.pose(body_).p, {1, 0, 0}, {0, 1, 0}};

@@ -20,7 +20,7 @@ TEST(AttemptAdvice, WhatHasFallenIsToldUntilItIsHeldAgain) {
   EXPECT_TRUE(advice.words(true).startsWith("Dropped"));
   EXPECT_TRUE(advice.hints(false, false).put_back);
   EXPECT_FALSE(advice.hints(true, false).put_back) << "a test tells no answer";
-  advice.read(held(true), 100);  // the picture is as old as the fall
+  advice.read(held(true), 100);  // the snapshot is as old as the drop
   EXPECT_TRUE(advice.words(true).startsWith("Dropped"));
   advice.read(held(true), 101);
   EXPECT_EQ(advice.words(true), "");
@@ -31,7 +31,7 @@ TEST(AttemptAdvice, WhatIsPutBackHasNotFallenAnyMore) {
   advice.hear("ring.dropped", 100);
   advice.hear("host.reset", 120);
   EXPECT_EQ(advice.words(true), "");
-  advice.hear("thread.slipped", 130);  // is not put back
+  advice.hear("thread.slipped", 130);  // needs no reset
   EXPECT_EQ(advice.words(true), "");
 }
 

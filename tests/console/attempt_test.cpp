@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What of an attempt is told while it runs, what stays of it, and what does not. Runs on the offscreen platform without OpenGL, and
+// Information shown during an attempt, after it, and hidden in a test. Runs on the offscreen platform without OpenGL, and
 // under Xvfb with it.
 #include <QAbstractButton>
 #include <QDir>
@@ -31,7 +31,7 @@ class AttemptOnPage : public WindowTest {
   }
 };
 
-// The phase "Hold it" begins when place, tips and force are right: in a test that sentence would be the answer.
+// The phase "Hold it" begins when position, tips and force are right: in a test its title would reveal the answer.
 TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   script.rate = 20;
   script.end_s = 0;
@@ -57,6 +57,21 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   EXPECT_TRUE(eventually([&] { return task_line() == "Hold it" && words().task == "Hold it"; })) << "in practice it helps";
 }
 
+// The keys that the buttons of a result name work: a new text of a button takes its key away.
+TEST_F(AttemptOnPage, AResultIsLeftByItsKeys) {
+  script.rate = 100;
+  open();
+  const QString before = page()->setup()->lesson();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  ASSERT_TRUE(eventually([&] { return child<QPushButton>("next_lesson")->isVisible(); }));
+  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
+  EXPECT_TRUE(window->people_page()->isVisible());
+  window->show_page(QStringLiteral("run"));
+  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NE(page()->setup()->lesson(), before);
+}
+
 TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {
   script.rate = 100;
   open();
@@ -69,7 +84,7 @@ TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {
   EXPECT_EQ(words().banner, "");
 }
 
-// From above a lesson whose work lies under its instrument cannot be done.
+// A lesson whose work lies under its instrument cannot be done from above.
 TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
   open();
   ASSERT_TRUE(wait_for_preview());
@@ -83,7 +98,7 @@ TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
   EXPECT_TRUE(eventually([&] { return !is_from_above(); }));
 }
 
-// Of a lesson that cannot run nothing else is shown, and the page of lessons says why as well.
+// A lesson that cannot run leaves no old scene, and the Lessons page shows the reason as well.
 TEST_F(AttemptOnPage, ALessonThatCannotRunIsNotOffered) {
   open();
   ASSERT_TRUE(wait_for_preview());
@@ -102,7 +117,7 @@ TEST_F(AttemptOnPage, ALessonThatCannotRunIsNotOffered) {
   EXPECT_TRUE(child<QPushButton>("practise_lesson")->isEnabled());
 }
 
-// What was asked stays to be read beside what was reached.
+// The criteria stay visible beside the results.
 TEST_F(AttemptOnPage, AResultTellsWhatWasAsked) {
   console::ResultPanel panel;
   console::Criteria asked;
@@ -119,7 +134,7 @@ TEST_F(AttemptOnPage, AResultTellsWhatWasAsked) {
   EXPECT_FALSE(told->isVisibleTo(&panel));
 }
 
-// The bench gave 100 of 100 to whoever looked at it.
+// The bench gave 100 of 100 to a spectator.
 TEST_F(AttemptOnPage, ADemonstrationLeavesNoScore) {
   open();
   console::AttemptOptions options(*page()->setup());
@@ -164,7 +179,7 @@ TEST(Attempts, ARecordedHandIsNobodysProgress) {
   EXPECT_EQ(modes.count("Practice"), 1);
 }
 
-// Under a drag in it an inset neither moves nor zooms: the same way of the mouse is the same way of the tips.
+// During a drag in it an inset neither moves nor zooms: equal mouse motions are equal tip motions.
 TEST(Insets, KeepTheirZoomInADrag) {
   FakeScript script;
   base::Problems none;
@@ -235,7 +250,7 @@ class OwnLessonOnPage : public WindowTest {
   QString asked;
 };
 
-// What has just been saved is in the list, whatever was searched for; and the keys of the page hold in the search, too.
+// A lesson just saved is in the list under any search; and the keys of the page work in the search field, too.
 TEST_F(OwnLessonOnPage, IsSeenWhateverIsSearchedFor) {
   launch.options.lesson_path = mine.path.toStdString();
   open();
@@ -246,7 +261,7 @@ TEST_F(OwnLessonOnPage, IsSeenWhateverIsSearchedFor) {
   EXPECT_EQ(words->text(), "");
   EXPECT_EQ(window->lessons_page()->lesson(), mine.path);
   QKeyEvent edit(QEvent::ShortcutOverride, Qt::Key_E, Qt::ControlModifier);
-  edit.ignore();  // as Qt sends it: who wants the key accepts it
+  edit.ignore();  // initial state in Qt: a receiver accepts the key
   QApplication::sendEvent(words, &edit);
   EXPECT_FALSE(edit.isAccepted()) << "the line of text does not keep Ctrl+E";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The calibration of a jaw sensor in the window, on a simulated sensor at a pseudo terminal.
+// The calibration of a jaw sensor in the window, with a simulated sensor at a pseudo terminal.
 #include "console/app/calibration_dialog.hpp"
 
 #include <stdlib.h>
@@ -29,7 +29,7 @@ class CalibrationTest : public WindowTest {
     return std::make_unique<SensorThread>(
         options, [this](double) { return SimulatedSensor::Measured{volts(length_mm_), 0, 0}; }, folder_ / "port");
   }
-  // 1 mm/V and 3 mm at 0 V; the first millimetre is that of a sensor out of its stroke
+  // 1 mm/V and 3 mm at 0 V; below 1 mm the sensor is out of its stroke
   static double volts(double mm) { return mm < 1 ? -2 + 0.3 * (mm - 1) : mm - 3 + 5e-3 * std::sin(7 * mm); }
 
   template <class W>
@@ -109,7 +109,7 @@ TEST_F(CalibrationTest, ThirteenPointsAndThreePosesAreFittedAndKept) {
   EXPECT_TRUE(child<QLabel>("setup_calibrations")->text().contains(QStringLiteral("expired on 2020-01-01")));
 }
 
-// A session: the bench is that of before, so the wizard begins with the poses; then forces with a gauge between the tips, and the check.
+// A session uses the stored bench calibration, so the wizard begins with the poses; then forces with a gauge at the tips, and the check.
 TEST_F(CalibrationTest, ASessionNeedsPosesAloneAndForcesAreCheckedOnAGauge) {
   sensor::Calibration stored;
   stored.serial = "B7", stored.by = "Ada", stored.date = sensor::today(), stored.expires = sensor::days_after(stored.date, 90);
@@ -125,7 +125,7 @@ TEST_F(CalibrationTest, ASessionNeedsPosesAloneAndForcesAreCheckedOnAGauge) {
   measure(dialog, "calibration_open", 5);
   measure(dialog, "calibration_closed", 3);
   measure(dialog, "calibration_squeezed", 1.5);
-  // a handle of 0.2 N where the jaws meet and 4 N/mm from there on; a fifth of what is beyond at the tips
+  // a handle force of 0.2 N where the jaws meet and 4 N/mm from there on; a fifth of the excess at the tips
   auto* table = in<QTableWidget>(dialog, "calibration_forces");
   EXPECT_FALSE(in<QPushButton>(dialog, "calibration_check")->isEnabled());
   for (int i = 0; i < 5; ++i) {
@@ -149,12 +149,12 @@ TEST_F(CalibrationTest, ASessionNeedsPosesAloneAndForcesAreCheckedOnAGauge) {
   EXPECT_NEAR(kept.tip.value(3), 0.6, 0.02);
   EXPECT_EQ(kept.check.wanted, 0.6);
   EXPECT_NEAR(kept.check.measured, 0.6, 0.06);
-  // a gauge that shows 0.6 N where the tables have 0.4 N
+  // the gauge shows 0.6 N where the tables have 0.4 N
   measure(dialog, "calibration_check", 3 - 0.5);
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_tip").startsWith(QStringLiteral("▲")); }));
 }
 
-// At a bench one hand is at the sensor: the space bar measures point after point and pose after pose, and never types into the port.
+// At a bench one hand is at the sensor: the space bar measures point after point and pose after pose, and never types into the port field.
 TEST_F(CalibrationTest, TheSpaceBarMeasuresPointAfterPoint) {
   auto sensor = plug();
   CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), QStringLiteral("Mei"));
@@ -185,7 +185,7 @@ TEST_F(CalibrationTest, TheSpaceBarMeasuresPointAfterPoint) {
   EXPECT_EQ(port->currentText().toStdString(), folder_ / "port");
 }
 
-// A session says that the handle does not rest where it was open: one button, and everything else stays.
+// After a report that the handle's rest position has shifted, one button sets the zero and keeps all else.
 TEST_F(CalibrationTest, TheZeroAloneIsSet) {
   sensor::Calibration stored;
   stored.serial = "B7", stored.by = "Ada", stored.date = sensor::today(), stored.expires = sensor::days_after(stored.date, 90);
@@ -197,7 +197,7 @@ TEST_F(CalibrationTest, TheZeroAloneIsSet) {
   dialog.set_seconds(0.1);
   connect_to(dialog);
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
-  measure(dialog, "calibration_zero", 4.5);  // a quarter of the way: a hand is at it
+  measure(dialog, "calibration_zero", 4.5);  // a quarter of the stroke: the handle is being pressed
   in<QPushButton>(dialog, "calibration_keep")->click();
   EXPECT_TRUE(said(dialog, "calibration_said").contains(QString::fromStdString(sensor::say::kRestsElsewhere.words(1)))) << said(dialog, "calibration_said").toStdString();
   in<QLabel>(dialog, "calibration_said")->clear();
@@ -213,7 +213,7 @@ TEST_F(CalibrationTest, TheZeroAloneIsSet) {
   EXPECT_FALSE(in<QPushButton>(dialog, "calibration_zero")->isEnabled()) << "who measures poses sets them all";
 }
 
-// U15: nothing is written before "Keep", wherever somebody closes the window; and what was kept before is as it was.
+// U15: nothing is written before "Keep", at whichever step the window is closed; the previous calibration is kept.
 TEST_F(CalibrationTest, ClosingItAtAnyStepWritesNothing) {
   auto sensor = plug();
   const auto until = [&](int points, int poses) {
@@ -243,7 +243,7 @@ TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
   auto sensor = plug();
   connect_to(dialog);
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
-  // a hand that moves meanwhile
+  // a handle in motion during the measurement
   std::atomic<bool> moves{true};
   std::thread hand([&] {
     while (moves) length_mm_ = 2 + 0.05 * static_cast<double>(static_cast<int>(20 * length_mm_) % 2 == 0), nap(5e-3);
@@ -253,7 +253,7 @@ TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
       << said(dialog, "calibration_said").toStdString();
   moves = false;
   hand.join();
-  // a sensor that is pulled out, and found again
+  // a sensor that is unplugged, and found again
   sensor->unplug();
   EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").contains(QStringLiteral("unplugged")); }));
   EXPECT_FALSE(in<QPushButton>(dialog, "calibration_measure")->isEnabled());

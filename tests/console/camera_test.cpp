@@ -63,7 +63,7 @@ TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
   camera.follow({0, 0, 12});
   camera.jump();
   const QPointF at = project(camera, {0, 0, 12}, {600, 600});
-  EXPECT_GT(at.y(), 60);  // a quarter from the top, less what comes nearer to the camera
+  EXPECT_GT(at.y(), 60);  // a quarter from the top, less the part nearer to the camera
   EXPECT_LT(at.y(), 300);
   camera.pan(0.3F, 0);
   const QVector3D focus = camera.focus();
@@ -72,7 +72,7 @@ TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
   EXPECT_EQ(camera.focus(), focus);
 }
 
-// A needle that has fallen and the tips that let go of it: both stay in the picture, and it comes nearer again with them.
+// A dropped needle and the tips that released it both stay in the picture, and the camera steps nearer as they approach each other.
 TEST(Camera, KeepsTheTipsInThePictureBesideWhatItFollows) {
   const QSizeF size(670, 485);
   const auto shape = static_cast<float>(size.width() / size.height());
@@ -114,7 +114,7 @@ TEST(Camera, NearStaysWhereItIsPut) {
   camera.jump();
   EXPECT_LT(camera.distance(), 0.8F * far);
   EXPECT_EQ(camera.focus(), QVector3D(1, 2, 3));
-  // a preset frames everything again
+  // a preset frames the whole scene again
   camera.look(CameraPreset::kOrbit);
   camera.jump();
   EXPECT_FLOAT_EQ(camera.distance(), far);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How different two colours look: CIEDE2000, and what people with a full colour-vision deficiency see.
+// Difference of two colours: CIEDE2000, also as seen with a full colour-vision deficiency.
 #pragma once
 
 #include <QColor>

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 
 #include "window_fixture.hpp"
 
@@ -22,7 +23,7 @@ class FaultyLesson : public WindowTest {
 TEST_F(FaultyLesson, IsListedAsFaultyAndIsNotAdded) {
   QFile file(dir.filePath("broken.json"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(R"({"format": "swage-lesson/1", "id": "test.broken"})");  // every lesson has a title
+  file.write(R"({"format": "swage-lesson/1", "id": "test.broken"})");  // lacks the mandatory title
   file.close();
   launch.options.lesson_path = file.fileName().toStdString();
   open();
@@ -43,6 +44,31 @@ TEST_F(FaultyLesson, IsListedAsFaultyAndIsNotAdded) {
   ASSERT_EQ(courses()[0].steps.size(), 1u);
   EXPECT_EQ(courses()[0].steps[0].lesson_id, "test.grasp");
   EXPECT_NE(choice->currentIndex(), faulty);
+}
+
+// Why a lesson of a course cannot be done stands under its name.
+TEST_F(FaultyLesson, SaysInTheCourseWhatIsWrongWithIt) {
+  QFile file(dir.filePath("broken.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({"format": "swage-lesson/1", "id": "test.broken"})");
+  file.close();
+  launch.options.lesson_path = file.fileName().toStdString();
+  std::string error;
+  record::Course course;
+  course.title = "Spring";
+  for (const char* lesson : {"test.grasp", "test.broken", "test.gone"}) course.steps.emplace_back().lesson_id = lesson;
+  ASSERT_TRUE(record::School::open(school_file(), error)->save_course(course)) << error;
+  open();
+  click("page_courses");
+  auto* steps = child<QListWidget>("steps");
+  const auto* fault = child<QLabel>("step_fault");
+  ASSERT_EQ(steps->count(), 3);
+  EXPECT_FALSE(fault->isVisible());
+  steps->setCurrentRow(1);
+  EXPECT_TRUE(fault->isVisible());
+  EXPECT_TRUE(fault->text().contains("title")) << fault->text().toStdString();
+  steps->setCurrentRow(2);
+  EXPECT_TRUE(fault->text().contains("not installed")) << fault->text().toStdString();
 }
 
 }  // namespace

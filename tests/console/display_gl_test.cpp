@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a trainee's screen shows, read from its pixels: every way of showing two eyes, true size, the look of a microscope.
+// A trainee's screen, checked by its pixels: every stereo layout, true size, the microscope view.
 #include <cmath>
 
 #include "console/view3d/quad_window.hpp"
@@ -9,7 +9,7 @@
 namespace swage::test {
 namespace {
 
-/// Mean difference of lightness over the pixels that `counts` takes.
+/// Mean difference of lightness over the pixels for which `counts` is true.
 double apart(const QImage& a, const QImage& b, const std::function<bool(int, int)>& counts = [](int, int) { return true; }) {
   double sum = 0;
   int n = 0;
@@ -19,7 +19,7 @@ double apart(const QImage& a, const QImage& b, const std::function<bool(int, int
   return sum / n;
 }
 
-// Each way of showing two eyes, taken apart again, gives what each eye sees alone.
+// Each stereo layout, decoded, gives the pictures that each eye has alone.
 TEST_F(Gl, EveryDisplayShowsEachEyeItsOwnPicture) {
   open_ready();
   if (IsSkipped()) return;
@@ -53,10 +53,10 @@ TEST_F(Gl, EveryDisplayShowsEachEyeItsOwnPicture) {
   EXPECT_LT(apart(shot(Layout::kLeftEye, console::Mirror::kNone, true), right), same);
   EXPECT_LT(apart(shot(Layout::kLeftEye, console::Mirror::kLeftRight), left.mirrored(true, false)), same);
   EXPECT_LT(apart(shot(Layout::kRightEye, console::Mirror::kUpDown), right.mirrored(false, true)), same);
-  // beside each other: the middle of what each eye sees, or all of it pressed together
+  // side by side: the middle of each eye's picture, or all of it at half the width
   const int w = left.width() / 2, h = left.height();
   const QRect middle(w / 2, 0, w, h);
-  // words over the lower edge and in the corners lie elsewhere in a narrower picture
+  // texts at the lower edge and in the corners are placed differently in a narrower picture
   const auto scene = [&](int x, int y) { return y > h / 8 && y < 3 * h / 4 && x > 4 && x < w - 4; };
   const QImage side = shot(Layout::kSideBySide);
   EXPECT_LT(apart(side.copy(0, 0, w, h), left.copy(middle), scene), 0.4 * both);
@@ -70,7 +70,7 @@ TEST_F(Gl, EveryDisplayShowsEachEyeItsOwnPicture) {
   EXPECT_LT(apart(pressed.copy(w, 0, w, h), other, scene), 0.7 * apart(pressed.copy(w, 0, w, h), whole, scene));
 }
 
-// Over each other: each eye's picture at half the size in the middle of its half, or all of it pressed together.
+// Over and under: each eye's picture at half the size in the middle of its half, or all of it at half the height.
 TEST_F(Gl, OverAndUnderShowsEachEyeItsOwnPicture) {
   open_ready();
   if (IsSkipped()) return;
@@ -88,7 +88,7 @@ TEST_F(Gl, OverAndUnderShowsEachEyeItsOwnPicture) {
   const QImage left = shot(Layout::kLeftEye, false), right = shot(Layout::kRightEye, false);
   const int w = left.width(), h = left.height() / 2;
   const auto small = [&](const QImage& eye, int width) { return eye.scaled(width, h, Qt::IgnoreAspectRatio, Qt::SmoothTransformation); };
-  // words over the lower edge lie elsewhere in a lower picture
+  // texts at the lower edge are placed differently in a lower picture
   const auto scene = [&](int x, int y) { return y > h / 8 && y < 3 * h / 4 && x > 4 && x < w / 2 - 4; };
   const auto is_of = [&](const QImage& half, const QImage& own, const QImage& other) {
     EXPECT_LT(apart(half, own, scene), 0.7 * apart(half, other, scene));
@@ -103,7 +103,7 @@ TEST_F(Gl, OverAndUnderShowsEachEyeItsOwnPicture) {
   is_of(pressed.copy(0, h, w, h), small(right, w), small(left, w));
 }
 
-/// A plate of 10 mm by 10 mm that lies in the middle.
+/// A plate of 10 mm by 10 mm in the middle.
 snapshot::SceneCard plate() {
   snapshot::SceneCard card;
   card.length = 1e-3, card.dt = 1e-3;
@@ -121,7 +121,7 @@ snapshot::SceneCard plate() {
   return card;
 }
 
-/// Pixels of a line that are wholly covered: the floor beside the plate lets something through.
+/// Number of fully covered pixels of a line: the floor beside the plate is partly transparent.
 int covered(const QImage& image, bool across) {
   int n = 0;
   for (int i = 0; i < (across ? image.width() : image.height()); ++i)
@@ -129,7 +129,7 @@ int covered(const QImage& image, bool across) {
   return n;
 }
 
-// By a ruler's numbers: 10 mm of the scene are 10 mm on the screen, or as many as the scale says.
+// By ruler measurements: 10 mm of the scene are 10 mm on the screen, times the scale.
 TEST_F(Gl, TenMillimetresAreTenMillimetresOnTheScreen) {
   open_ready();
   if (IsSkipped()) return;
@@ -189,7 +189,7 @@ TEST_F(Gl, AMicroscopeHasARoundFieldAndMagnifiesAsItsMakerSays) {
 }
 
 /// Lightness between neighbours, summed over the edges of a picture where it differs by more than 30 of 255: those of needle and jaws.
-/// The floor's lines are weaker and do not count, as the floor has no depth and blurs as if it were far away.
+/// The floor's lines are weaker and do not count, as the floor has no depth and is blurred as if it were far away.
 double sharpness(const QImage& image) {
   double sum = 0;
   for (int y = image.height() / 4; y < image.height(); ++y)
@@ -200,8 +200,8 @@ double sharpness(const QImage& image) {
   return sum;
 }
 
-// The same picture with and without the blur: away from the focus, on either side, less than half as much of its edges is left as in it,
-// and all of that comes back with the focus. In it, too, only what lies at the focal distance is sharp: a share of the needle.
+// The same picture with and without blur: off focus, on either side, the summed edges are less than half of those in focus, and they
+// return fully with the focus. In focus, too, only the part of the needle at the focal distance is sharp.
 TEST_F(Gl, AMicroscopeIsSharpInItsFocusAndBlursAwayFromIt) {
   open_ready();
   if (IsSkipped()) return;
@@ -233,7 +233,7 @@ TEST_F(Gl, AMicroscopeIsSharpInItsFocusAndBlursAwayFromIt) {
   EXPECT_NEAR(left(), in_focus, 0.02) << before << ' ' << behind;
 }
 
-// A driver without two buffers shows the left eye, upright and as it is. What it would show right needs one that has them.
+// A driver without two buffers shows the left eye, upright and unchanged. The right eye's picture can be tested only with two buffers.
 TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   open_ready();
   if (IsSkipped()) return;
@@ -246,7 +246,7 @@ TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   for (int y = 0; y < left.height(); ++y)
     for (int x = 0; x < left.width(); ++x) left.setPixel(x, y, qRgb(3 * x, 5 * y, 77)), right.setPixel(x, y, qRgb(77, 3 * x, 5 * y));
   EXPECT_EQ(shutter.show_eyes(left, right), console::has_quad_buffers());
-  // two buffers in turn: what was drawn comes back with the second swap
+  // with double buffering the drawn picture is readable after the second swap
   shutter.show_eyes(left, right);
   EXPECT_EQ(shutter.read_back(), left);
   shutter.resize(80, 40);
@@ -255,7 +255,7 @@ TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
   ASSERT_TRUE(eventually([&] { return shutter.show_eyes(other, other), shutter.read_back() == other; }));
 }
 
-// The two pictures that a driver with two buffers is given are what each eye sees alone.
+// The two pictures for a quad-buffered driver are those of each eye alone.
 TEST_F(Gl, OneAfterTheOtherIsGivenBothEyes) {
   open_ready();
   if (IsSkipped()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The environment of a lesson in the instructor's form: a row for each key, numbers that follow the medium, and text that the reader of
-// lessons takes.
+// The environment of a lesson in the instructor's form: a row for each key, numbers that depend on the medium, and text that the lesson
+// reader accepts.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -36,7 +36,7 @@ class EnvironmentRows : public ::testing::Test {
     ASSERT_GE(at, 0) << medium;
     box->setCurrentIndex(at);
   }
-  /// The section as the file says it with what was changed.
+  /// The section as written to the file, with the changes.
   nlohmann::ordered_json written() {
     nlohmann::ordered_json lesson = {{"environment", nlohmann::ordered_json::parse(section_.empty() ? "{}" : section_)}};
     for (const auto& [what, value] : form.changes()) {

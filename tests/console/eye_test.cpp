@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frusta and disparities against the pinhole's closed forms.
+// Frusta and disparities compared with closed forms of the pinhole camera.
 #include "console/view3d/eye.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ OrbitCamera camera() {
   return c;
 }
 
-/// A point at a depth from the middle eye, and aside of its axis.
+/// A point at a depth from the middle eye, beside its axis.
 QVector3D at(const OrbitCamera& c, float depth, float x, float y) {
   return c.eye() + c.q_WC().rotatedVector({x, y, -depth});
 }
@@ -50,7 +50,7 @@ TEST(TwoEyes, WhatLiesAtTheConvergenceHasNoDisparity) {
   EXPECT_GT(std::abs(disparity_px(c, nearer, at(c, z0, 1, -1))), 5);
 }
 
-// pinholes b apart with windows that meet at z0: x_left - x_right = b f (1/z - 1/z0)
+// pinholes at the distance b with windows that coincide at z0: x_left - x_right = b f (1/z - 1/z0)
 TEST(TwoEyes, DisparityFollowsTheClosedForm) {
   const OrbitCamera c = camera();
   for (const float base : {6.F, 24.F, 65.F}) {
@@ -73,17 +73,17 @@ TEST(TwoEyes, NothingIsToedIn) {
   const auto eyes = two_eyes(c, {}, kAspect);
   EXPECT_LT((eyes[0].q_WC().rotatedVector({0, 0, 1}) - eyes[1].q_WC().rotatedVector({0, 0, 1})).length(),
             1e-6F);
-  // so there is no vertical disparity in any corner
+  // no vertical disparity in any corner
   for (const float x : {-4.F, 4.F}) {
     for (const float y : {-4.F, 4.F}) {
       const QVector3D p = at(c, 0.8F * c.distance(), x, y);
       EXPECT_NEAR(eyes[0].project(p, kSize).y(), eyes[1].project(p, kSize).y(), 1e-2);
     }
   }
-  // the left eye is at the left, unless they are exchanged
+  // the left eye is at the left, unless swapped
   EXPECT_LT(QVector3D::dotProduct(eyes[0].position - c.eye(), c.q_WC().rotatedVector({1, 0, 0})), 0);
   EXPECT_EQ(two_eyes(c, {24, 250, true}, kAspect)[0].position, eyes[1].position);
-  // and eyes that are nowhere apart see the same
+  // eyes at the distance 0 have no disparity
   EXPECT_NEAR(disparity_px(c, {0, 250, false}, at(c, 0.5F * c.distance(), 1, 1)), 0, 1e-3);
 }
 
@@ -109,7 +109,7 @@ TEST(CrossEye, LooksAtRightAnglesAndKeepsRightAtTheRight) {
     EXPECT_LT((cross.q_WC().rotatedVector({1, 0, 0}) - right).length(), 1e-3F);
     const bool from_above = preset != CameraPreset::kTop;
     EXPECT_NEAR(cross.q_WC().rotatedVector({0, 0, 1}).z(), from_above ? 1 : 0, 1e-4F);
-    // what the first eye sees as depth, it sees as height: further away is higher, or lower where one looks down
+    // depth for the first eye is height for the second: further away is higher, or lower where the camera looks down
     const QVector3D away = (c.focus() - c.eye()).normalized();
     const double up = 50 - cross.project(QVector3D(1, 2, 3) + away, {100, 100}).y();
     EXPECT_GT(from_above ? up : -up, 15);
@@ -144,7 +144,7 @@ TEST(StereoLook, PicturesFillTheScreenWithoutOverlap) {
   EXPECT_EQ(layout_of(QStringLiteral("hologram")), StereoLayout::kSideBySide);
 }
 
-/// What each eye sees of a picture on its display: pixels of its own where the display gives it some, else transparent.
+/// The picture of each eye on its display: the eye's own pixels where the layout has any, else transparent.
 std::array<QImage, 2> decoded(StereoLayout layout, const QImage& screen, const QPoint& origin) {
   std::array<QImage, 2> out;
   for (int e = 0; e < 2; ++e) {
@@ -199,7 +199,7 @@ TEST(StereoLook, EveryOverlaidPictureComesApartIntoItsTwoEyes) {
   }
 }
 
-// what both eyes share stays grey, and each eye's brightness goes to its own colours
+// grey in both pictures stays grey, and each eye's brightness goes to its own colours
 TEST(StereoLook, LeastGhostsKeepGreyAndSideOfTheEyes) {
   QImage grey(1, 1, QImage::Format_RGB32), black(1, 1, QImage::Format_RGB32);
   grey.fill(QColor(120, 120, 120));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A recorded attempt without physics, and a player that walks through it. For tests of the console only.
+// A recorded attempt without physics, and a player for it. For tests of the console only.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace swage::test {
 
-/// `n` steps with four signals: a force that grows to 0.7 N, a tilt of 0.2 rad, the arc, and one that never changes.
+/// `n` steps with four signals: a force that grows to 0.7 N, a tilt of 0.2 rad, the arc, and a constant one.
 inline record::Recording fake_recording(size_t n) {
   record::Recording r;
   r.info.dt = 1e-3;
@@ -21,7 +21,7 @@ inline record::Recording fake_recording(size_t n) {
                {"grasp", "grasp.tilt_axis", "rad", "Angle away from a right-angled grasp"},
                {"grasp", "grasp.force", "N", "Force of the jaws on the needle"},
                {"grasp", "grasp.zero", "N", "Always nothing"}};
-  // as a scene declares them; the force comes first in the file
+  // in a scene's order; in the file the force comes first
   std::swap(s.signals[0], s.signals[2]);
   s.metrics = {{"lesson", "force.peak", "N", "Largest force on the needle"},
                {"lesson", "odd.number", "1", "Odd"}};
@@ -35,7 +35,7 @@ inline record::Recording fake_recording(size_t n) {
     r.signal.push_back(static_cast<float>(0.5 * u));
     r.signal.push_back(0);
   }
-  if (n > 1) r.signal[1] = 0;  // the tilt begins at nothing
+  if (n > 1) r.signal[1] = 0;  // the tilt starts at zero
   return r;
 }
 
@@ -60,7 +60,7 @@ inline std::vector<record::EventRow> fake_events() {
           {1200, 1.2, "swage", "host.gap", 4}};
 }
 
-/// Walks one step at a time like the real one; its scene is the fake session's.
+/// Moves step by step like the real player; its scene is the fake session's.
 class FakePlayer final : public console::Player {
  public:
   FakePlayer(snapshot::SceneCard card, uint64_t count) : card_(std::move(card)), count_(count) {}

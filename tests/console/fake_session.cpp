@@ -197,7 +197,7 @@ class FakeSession final : public session::Session {
                 : script_.pass ? judge::Outcome::kPassed
                                : judge::Outcome::kFailed;
     r.reason = aborted_ ? "" : script_.pass ? "held" : "time.up";
-    if (options_.store_path != ":none:") r.attempt_id = "fake";  // else nothing is kept
+    if (options_.store_path != ":none:") r.attempt_id = "fake";  // otherwise the attempt is not stored
     r.score = script_.pass && !aborted_ ? 87 : 0;
     r.simulated_s = now();
     r.steps = static_cast<uint64_t>(now() * 1000);
@@ -222,7 +222,7 @@ class FakeSession final : public session::Session {
   void pose(double t, snapshot::Snapshot& s) const {
     s.n_body = 3;
     s.n_object = static_cast<uint32_t>(card_.objects.size());
-    // come down on the marked spot, close, lift
+    // descend to the marked region, close, lift
     const double down = ease(t, 0.5, 3), close = ease(t, 3.2, 4), lift = ease(t, 5, 8);
     const double spot = 0.5 * (kPi - kSweep) + 0.62 * kSweep;
     const swage_vec3 grasp{kArcRadius * std::cos(spot), kArcRadius * std::sin(spot) - 1.9e-3, 0};
@@ -236,7 +236,7 @@ class FakeSession final : public session::Session {
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
     };
     const swage_quat hand = times(times(turn, about(0, 0, 1, kPi / 2)), about(1, 0, 0, tilt));
-    // each jaw opens by moving its tip sideways: good enough to look at
+    // each jaw opens by a sideways motion of its tip: sufficient for a picture
     for (uint32_t j = 0; j < 2; ++j) {
       const double side = j == 0 ? 1 : -1;
       const swage_quat q = times(hand, about(1, 0, 0, -side * open));

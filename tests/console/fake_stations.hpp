@@ -15,12 +15,12 @@ namespace swage::test {
 
 struct FakeSchool {
   std::mutex mutex;
-  std::vector<record::StationNow> stations;  // but the one of the window
-  record::StationNow said;                   // by the window
+  std::vector<record::StationNow> stations;  // all but that of the window
+  record::StationNow said;                   // sent by the window
   std::vector<record::StationMessage> inbox, sent;
   std::vector<std::string> answers, marks, forgotten;
   int beats = 0, looks = 0, pictures = 0;
-  std::string refuse;  // non-empty: nothing can be opened
+  std::string refuse;  // non-empty: opening fails
 };
 
 class FakeStations final : public record::Stations {
@@ -96,7 +96,7 @@ class FakeStations final : public record::Stations {
   std::string name_, error_;
 };
 
-/// Five stations as an instructor meets them: one in order, one that needs help, one that waits, one lost, one closed.
+/// Five stations as an instructor sees them: in order, in need of help, waiting, lost, closed.
 inline std::vector<record::StationNow> sample_stations() {
   using State = record::StationState;
   const auto make = [](const char* name, State state, const char* who, const char* lesson, const char* phase, double t, double silent) {

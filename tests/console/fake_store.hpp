@@ -45,7 +45,7 @@ class FakeStore final : public record::Store {
   }
   bool changed() override { return shared ? std::exchange(shared->changed, false) : false; }
   std::string trouble() const override { return shared ? shared->trouble : std::string(); }
-  /// What another program does to the store while it is open.
+  /// Changes by another program while the store is open.
   struct Shared {
     bool changed = false;
     std::string trouble;
@@ -66,7 +66,7 @@ class FakeStore final : public record::Store {
   std::vector<record::AttemptRow> attempts_;
 };
 
-/// Attempts of Arun, getting better over three days, and one of Bea that was stopped.
+/// Attempts of Arun, improving over three days, and an aborted one of Bea.
 inline std::vector<record::AttemptRow> sample_attempts() {
   std::vector<record::AttemptRow> out;
   for (int i = 0; i < 14; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What somebody meets who sees the window for the first time: it fits the screen, tells its controls and what is asked, and a test
+// A new user's first view of the window: it fits the screen, explains controls and criteria, and a test
 // shows no answers. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -28,7 +28,7 @@ TEST_F(FirstSight, ASmallScreenHasRoomForEverything) {
   ASSERT_TRUE(wait_for_preview());
   // 1920x1080 at 200 % leaves 960x540
   for (const QSize& size : {QSize(1280, 800), QSize(960, 540)}) {
-    // as a drag of its edge does: the panels get slim on the way
+    // in steps, as when its edge is dragged: the panels become narrow first
     EXPECT_TRUE(eventually([&] {
       window->resize(size);
       return window->size() == size;
@@ -40,7 +40,7 @@ TEST_F(FirstSight, ASmallScreenHasRoomForEverything) {
       EXPECT_TRUE(window->rect().contains(at)) << name << " at " << size.width();
     }
   }
-  // what does not fit beside each other is in the menu, and does the same
+  // buttons without room are in the menu, with the same function
   EXPECT_FALSE(child<QPushButton>("cues")->isVisible());
   window->resize(1440, 900);
   EXPECT_TRUE(eventually([&] { return child<QPushButton>("cues")->isVisible(); }));
@@ -55,7 +55,7 @@ TEST_F(FirstSight, TheFirstStartStaysOnTheScreen) {
   EXPECT_LE(window->height(), std::max(screen.height(), window->minimumSizeHint().height()));
 }
 
-// the row of what is chosen shows its words: there are pixels that contrast with its ground
+// the selected row is legible: it has pixels that contrast with its background
 TEST_F(FirstSight, AnOpenedChoiceShowsWhatIsChosen) {
   open();
   click("page_setup");
@@ -136,12 +136,12 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
   EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
 }
 
-// a mark near the lower edge is named above the hint, not beneath it
+// the label of a mark near the lower edge is drawn above the hint
 TEST(Hint, LeavesTheLabelsOfThePictureToBeRead) {
   constexpr int kWidth_px = 640, kHeight_px = 300;
   const auto ui = console::UiTheme::stock(QStringLiteral("light"));
   const QString text = QStringLiteral("Hold Space: close the jaws");
-  const auto rows = [&](const auto& paint) {  // the highest and the lowest that are drawn in the middle
+  const auto rows = [&](const auto& paint) {  // the highest and the lowest line drawn in the middle
     QImage picture(kWidth_px, kHeight_px, QImage::Format_RGB32);
     picture.fill(Qt::black);
     QPainter painter(&picture);
@@ -164,7 +164,7 @@ TEST(Hint, LeavesTheLabelsOfThePictureToBeRead) {
   EXPECT_LT(label, hint);
 }
 
-// what has to be known is told beside the inset, and neither over it nor cut off
+// the hint is drawn beside the inset, neither over it nor cut off
 TEST(Hint, StaysBesideAnInsetInAsManyLinesAsItNeeds) {
   constexpr int kInset_px = 320, kHeight_px = 200;
   const auto lowest = [](double right, const QString& text) {
@@ -195,7 +195,7 @@ TEST(Hint, StaysBesideAnInsetInAsManyLinesAsItNeeds) {
 TEST_F(FirstSight, TheRightColumnNeedsNoScrollBarWhileALessonRuns) {
   run_to(0.3);
   EXPECT_TRUE(eventually([&] {
-    window->resize(1276, 776);  // what a frame leaves of 1280x800
+    window->resize(1276, 776);  // the area inside a window frame of 1280x800
     return window->size() == QSize(1276, 776);
   }));
   QTest::keyClick(window.get(), Qt::Key_F6);
@@ -212,7 +212,7 @@ TEST_F(FirstSight, TheRightColumnNeedsNoScrollBarWhileALessonRuns) {
   EXPECT_EQ(column->verticalScrollBar()->maximum(), 0);
 }
 
-// with two hands Tab is the other hand; with one it goes on to the next button, as everywhere
+// with two mouse devices Tab switches the instrument; with one it moves the focus, as everywhere
 TEST_F(FirstSight, TabHandsOverWhereTheMouseLeadsTwo) {
   for (const bool two : {true, false}) {
     script.two_hands = two;
@@ -240,7 +240,7 @@ TEST_F(FirstSight, TheTraineesViewIsSetUpAndRemembered) {
   form->findChild<QComboBox*>(QStringLiteral("trainee_layout"))->setCurrentIndex(1);
   form->findChild<QDoubleSpinBox*>(QStringLiteral("trainee_eyes"))->setValue(30);
   EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
-  // it gets what the instructor's view gets, and the keys of the window hold there, too
+  // it receives what the instructor's view receives, and the keys of the window work there, too
   QTest::keyClick(window.get(), Qt::Key_F5);
   EXPECT_TRUE(window->trainee()->view()->instrument());
   QTest::keyClick(window.get(), Qt::Key_F9);
@@ -258,7 +258,7 @@ TEST_F(FirstSight, TheTraineesViewIsSetUpAndRemembered) {
   EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
 }
 
-// The record of an attempt begins with how the scene was seen, and notes where that changed.
+// The record of an attempt begins with the display settings, and notes their changes.
 TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
   script.rate = 1;
   script.end_s = 0;
@@ -296,7 +296,7 @@ TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
 TEST_F(FirstSight, TheLegendHasRoomForSeventeenCues) {
   open();
   console::CueLegend* legend = page()->legend();
-  // the page has given it the lesson's own, and gives it no others
+  // the page has set the lesson's own cues, and sets no others
   ASSERT_TRUE(eventually([&] { return legend->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly).size() > 1; }));
   legend->set_meanings({"target.near", "insert.good", "insert.angle_off", "needle.stuck", "tissue.tear", "grip.too_hard", "target.done",
                         "suture.swage_held", "suture.tail_good", "target.point", "tail.point", "exit.point", "needle.bent", "tissue.deflected",
@@ -315,7 +315,7 @@ TEST_F(FirstSight, TheLegendHasRoomForSeventeenCues) {
   }
 }
 
-// Readings and plots are of a lesson: without one there is nothing to read.
+// Readings and plots belong to a lesson: without one there are none.
 TEST(Now, ShowsNoReadingsWithoutALesson) {
   console::NowPanel now;
   now.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
@@ -335,7 +335,7 @@ TEST(Now, ShowsNoReadingsWithoutALesson) {
   EXPECT_FALSE(plots->isVisibleTo(&now)) << "a test";
 }
 
-// The greatest of a quarter of a second is told, beside what the lesson allows; in a test with all readings it is hidden.
+// The maximum of a quarter of a second is shown beside the lesson's limit; it is hidden with the other readings in a test.
 TEST(Now, TellsTheTensionOfTheThreadBesideItsLimit) {
   console::NowPanel now;
   now.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
@@ -364,7 +364,7 @@ TEST(Now, TellsTheTensionOfTheThreadBesideItsLimit) {
   EXPECT_EQ(text_at(2, 2e-3), "2.00 mN");
 }
 
-// Words of one legend have one size: smaller where one of them does not fit its line, and then all.
+// All texts of a legend have one size: smaller if one of them does not fit its line.
 TEST(Legend, WritesAllItsWordsSmallerWhereOneIsTooLong) {
   console::CueLegend legend;
   legend.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
@@ -380,7 +380,7 @@ TEST(Legend, WritesAllItsWordsSmallerWhereOneIsTooLong) {
   EXPECT_TRUE(legend.cut_words().isEmpty());
 }
 
-// Nothing is said of the cues of a lesson that is not there: of one without cues it is.
+// The line on cues is shown for a lesson without cues, and not without a lesson.
 TEST(Legend, SpeaksOfNoCuesOnlyOfALesson) {
   console::CueLegend legend;
   legend.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));

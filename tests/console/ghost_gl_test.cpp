@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A ghost in the picture: seen, seen through, and gone without a trace.
+// A ghost in the picture: visible, translucent, and completely removed.
 #include "gl_fixture.hpp"
 
 namespace swage::test {

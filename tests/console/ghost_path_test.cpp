@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ghost waits for the trainee: along a curve, down and up the same line, in phases, with two instruments, with jaws that close.
+// The ghost waits for the trainee: along a curve, along one line down and up, in phases, with two instruments, with closing jaws.
 #include "console/models/ghost_path.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ GhostPath way(double seconds, const std::function<swage_pose(double)>& go, const
 }
 uint32_t one_phase(double) { return 0; }
 
-/// Leads the trainee there; the ghost is never ahead by more than the lead.
+/// Moves the trainee there and checks that the ghost's lead is kept.
 void lead(GhostPace& pace, const GhostPath& path, const swage_pose& X, uint32_t phase, double dt = 0.016) {
   pace.follow({&X, 1}, phase, dt);
   EXPECT_LE(pace.shown_way_m(), path[pace.progress()].way_m + GhostPace::kLead_m + 1e-12);
@@ -37,7 +37,7 @@ void lead(GhostPace& pace, const GhostPath& path, const swage_pose& X, uint32_t 
 }
 
 TEST(GhostPath, WaitsForATraineeWhoDoesNotMove) {
-  const GhostPath path = way(10, [](double t) { return at(2e-3 * t, 0, 0); }, one_phase);  // 20 mm
+  const GhostPath path = way(10, [](double t) { return at(2e-3 * t, 0, 0); }, one_phase);  // 20 mm path
   GhostPace pace(path);
   for (int i = 0; i < 1000; ++i) lead(pace, path, at(0, 0, 0), 0);
   EXPECT_EQ(pace.progress(), 0u);
@@ -51,7 +51,7 @@ TEST(GhostPath, WaitsForATraineeWhoDoesNotMove) {
 TEST(GhostPath, GoesAtTheTraineesPaceAndBackWithHim) {
   const GhostPath path = way(10, [](double t) { return at(2e-3 * t, 0, 0); }, one_phase);
   GhostPace pace(path);
-  for (int i = 0; i <= 1000; ++i) lead(pace, path, at(10e-3 * i / 1000, 0.3e-3, 0), 0);  // 0.3 mm beside the way, in 16 s
+  for (int i = 0; i <= 1000; ++i) lead(pace, path, at(10e-3 * i / 1000, 0.3e-3, 0), 0);  // 0.3 mm beside the path, in 16 s
   EXPECT_NEAR(path[pace.progress()].way_m, 10e-3, 0.2e-3);
   EXPECT_NEAR(pace.shown_way_m(), 10e-3 + GhostPace::kLead_m, 0.3e-3);
   for (int i = 1000; i >= 200; --i) lead(pace, path, at(10e-3 * i / 1000, 0.3e-3, 0), 0);
@@ -102,7 +102,7 @@ TEST(GhostPath, NoPhaseIsLeftBeforeTheTraineeLeavesIt) {
   EXPECT_GE(pace.shown_s(), 1 - 1e-9) << "the phase began elsewhere: the ghost is in it";
   for (int i = 0; i < 200; ++i) lead(pace, path, at(0, 0, 0), 1);
   EXPECT_LT(pace.shown_s(), 2);
-  // the needle is dropped: back to the first
+  // the needle is dropped: back to the first phase
   lead(pace, path, at(0.2e-3, 0, 0), 0);
   EXPECT_NEAR(pace.shown_s(), 0.99, 0.03);
   // a phase that the expert never has: the ghost waits
@@ -129,7 +129,7 @@ TEST(GhostPath, ComesWhenTheExpertHasComeSoFar) {
   EXPECT_NEAR(pace.shown_way_m(), GhostPace::kLead_m, 1e-12);
 }
 
-// Two jaws that only close, and a tool that only turns: both are way.
+// Closing jaws and a rotating tool both count as path length.
 TEST(GhostPath, ClosingAndTurningAreWay) {
   GhostPath path({{0, {10e-3, 0, 0}}, {1, {10e-3, 0, 0}}, {0, {}}});
   const auto closed = [](double angle) {
@@ -142,7 +142,7 @@ TEST(GhostPath, ClosingAndTurningAreWay) {
   EXPECT_NEAR(static_cast<double>(pace.progress()), 50, 1);
 }
 
-// Of two instruments one waits while the other goes; the trainee moves one at a time, with one mouse.
+// One of two instruments waits while the other moves; the trainee moves one at a time, with one mouse.
 TEST(GhostPath, TwoInstrumentsHaveOneClock) {
   GhostPath path({{0, {}}, {1, {}}});
   for (int i = 0; i <= 500; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A window with pixels, and what can be counted in them.
+// A window with OpenGL, and functions that count pixels.
 #pragma once
 
 #include <QWheelEvent>
@@ -20,13 +20,13 @@ class Gl : public WindowTest {
     ASSERT_TRUE(eventually([&] { return page()->view()->ready(); }));
     settle();
   }
-  // a gliding camera, meshes that load, pictures that are a few frames behind
+  // waits for a gliding camera, loading meshes, and pictures that are a few frames late
   void settle() {
     view()->redraw();
     ASSERT_TRUE(eventually([&] { return view()->resting(); }));
   }
   SceneView* view() { return page()->view(); }
-  /// SWAGE_PICTURES names a folder that gets each, to be looked at.
+  /// SWAGE_PICTURES names a folder to which each picture is written, for inspection.
   QImage picture() {
     const QImage image = view()->grab().toImage().convertToFormat(QImage::Format_RGB32);
     const QString folder = qEnvironmentVariable("SWAGE_PICTURES");
@@ -47,7 +47,7 @@ inline int count(const QImage& image, const std::function<bool(const QColor&)>& 
   return n;
 }
 inline bool red(const QColor& c) { return c.red() > 120 && c.red() > 2.2 * c.green() && c.red() > 2.2 * c.blue(); }
-// the picture's shoulder holds highlights below white
+// the soft clipping keeps highlights below white
 inline bool bright(const QColor& c) { return c.lightness() > 205; }
 inline double changed(const QImage& a, const QImage& b) {
   int n = 0;

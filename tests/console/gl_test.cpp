@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What needs pixels: runs under Xvfb with software OpenGL.
+// Tests that need pixels: under Xvfb with software OpenGL.
 #include <QLineF>
 #include <QProcess>
 #include <QStandardPaths>
@@ -28,7 +28,7 @@ TEST_F(Gl, NeedleIsLitAndItsRegionRed) {
   const int edge = count(
       picture(), [](const QColor& c) { return c.red() > 70 && c.red() < 120 && c.red() > 1.4 * c.green(); });
   EXPECT_GT(edge, 40);
-  // and it is a picture, not one colour: floor, grid, jaws, shadow
+  // the picture has more than one colour: floor, grid, jaws, shadow
   EXPECT_GT(count(picture(), [](const QColor& c) { return c.lightness() < 60; }), 5000);
 }
 
@@ -46,7 +46,7 @@ TEST_F(Gl, GoodGraspColoursTheNeedle) {
   QTest::keyClick(window.get(), Qt::Key_F6);
   settle();
   EXPECT_GT(count(view()->image(), green), 500);
-  // without cues the needle is steel again
+  // without cues the needle has the colour of steel
   click("cues");
   settle();
   EXPECT_EQ(count(view()->image(), green), 0);
@@ -77,7 +77,7 @@ TEST_F(Gl, DragTurnsWheelZoomsAndPresetsFrame) {
 
 TEST_F(Gl, MouseAndKeysDriveTheInstrumentWhileItRuns) {
   script.end_s = 0;
-  script.rate = 0;  // nothing moves but the camera
+  script.rate = 0;  // only the camera moves
   open_ready();
   if (IsSkipped()) return;
   click("start");
@@ -91,7 +91,7 @@ TEST_F(Gl, MouseAndKeysDriveTheInstrumentWhileItRuns) {
   QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + QPoint(view()->height() / 4, 0));
   ASSERT_EQ(log->pointer.size(), 3U);
   EXPECT_EQ(log->pointer[1].buttons, 1U);
-  // so far as the tips go that stay under the pointer, a little behind the focus or before it
+  // expected motion of the tips, which follow the pointer slightly behind or before the focus
   const double quarter = 0.25 * static_cast<double>(console::middle_eye(view()->camera(), 1).span) / 10;
   EXPECT_NEAR(log->pointer[1].dx, quarter, 0.15 * quarter);
   EXPECT_EQ(log->pointer[2].buttons, 0U);
@@ -99,14 +99,14 @@ TEST_F(Gl, MouseAndKeysDriveTheInstrumentWhileItRuns) {
                          std::hypot(log->pointer[1].camera.y, log->pointer[1].camera.z)),
               1, 1e-5);
   EXPECT_EQ(view()->camera().eye().x(), yaw);
-  // what a busy machine did not report before the button was let go is not lost
+  // the last motion before a release is not lost on a busy machine
   log->pointer.clear();
   QTest::mousePress(view(), Qt::LeftButton, {}, middle);
   QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + QPoint(0, -view()->height() / 4));
   ASSERT_EQ(log->pointer.size(), 3U);
   EXPECT_EQ(log->pointer[1].buttons, 1U);
   EXPECT_NEAR(log->pointer[1].dy, quarter, 0.15 * quarter);
-  // keys: down, up, and nothing stays down when the view loses the keyboard
+  // keys: press, release, and release of all when the view loses the focus
   log->pointer.clear();
   QTest::keyPress(view(), Qt::Key_Space);
   ASSERT_EQ(log->pointer.size(), 1U);
@@ -151,7 +151,7 @@ TEST_F(Gl, TheSecondViewTurnsADragIntoDepth) {
   };
   const QVector3D up = drag(view()->rect().center());
   EXPECT_GT(up.z(), 0.9F * up.length()) << "in the picture from the side up is up";
-  // the second view lies in the corner that covers least
+  // the second view is in the corner where it covers least
   const QRect all = view()->rect();
   const QPoint corners[] = {all.bottomLeft() + QPoint(60, -60), all.bottomRight() + QPoint(-60, -60), all.topLeft() + QPoint(60, 100),
                             all.topRight() + QPoint(-60, 100)};
@@ -160,7 +160,7 @@ TEST_F(Gl, TheSecondViewTurnsADragIntoDepth) {
     return away.y() > 0.9F * away.length();
   });
   ASSERT_NE(turned, std::end(corners)) << "in the second view, from above, up is away";
-  // without it that corner is a part of the picture like any other
+  // without the second view that corner is an ordinary part of the picture
   click("second");
   settle();
   const QVector3D again = drag(*turned);
@@ -185,7 +185,7 @@ TEST_F(Gl, TheTraineeSeesWithTwoEyes) {
   const double apart = changed(left, right);
   EXPECT_GT(apart, 0.001) << "each eye has a picture of its own";
   EXPECT_LT(apart, 0.5);
-  // in a test there is no help for the trainee either
+  // in a test the trainee gets no help either
   child<QAbstractButton>("test")->click();
   EXPECT_FALSE(trainee->cues_shown());
   QTest::keyClick(window->trainee(), Qt::Key_Escape);
@@ -225,7 +225,7 @@ TEST_F(Gl, ResizingKeepsThePictureSharp) {
   EXPECT_GT(count(picture(), red), 200);
 }
 
-// The line of F12: how often pictures come, how many there were, and how long a movement took to its picture.
+// The line of F12: picture rate, number of pictures, and latency from a movement to its picture.
 TEST_F(Gl, TheStripTellsPicturesAndTheLatencyOfTheHand) {
   script.end_s = 0;
   script.rate = 10;

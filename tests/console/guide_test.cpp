@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The guide on the Run page: asked for by a key, remembered, never in a test, noted in the attempt.
+// The guide on the Run page: switched by a key, remembered, never in a test, noted in the attempt.
 #include <algorithm>
 
 #include "session/sentences.hpp"
@@ -63,7 +63,7 @@ TEST_F(GuideOnPage, TheRecordSaysThatItWasThere) {
   EXPECT_EQ(seed(expert_options), seed(log->last));
   EXPECT_EQ(expert_options.lesson_path, log->last.lesson_path);
   ASSERT_TRUE(eventually([&] { return page()->view()->ghost_shown(); }));
-  // it waits: the trainee of this session is half as fast
+  // the ghost waits: the trainee of this session is half as fast
   ASSERT_TRUE(wait_for_time(1.5));
   const console::GuidePosition at = page()->guide()->position();
   EXPECT_LE(at.shown_way_m, at.progress_way_m + console::GhostPace::kLead_m + 1e-9);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadius = 50e-6;  // m, of the needle
 
-// a needle that goes in at (1, 2, 0) mm on a plane that rises by `slope` along x, and is then dragged round a circle of 30 um in
+// a needle that enters at (1, 2, 0) mm of a plane that rises by `slope` along x, and is then dragged on a circle of 30 um in
 // that plane, twice in two passes
 record::Recording dragged(double slope) {
   record::Recording r;
@@ -44,7 +44,7 @@ TEST(EntryTrack, IsSeenSquareToTheSurfaceWhateverItsSlope) {
     for (const QPolygonF& pass : track->passes) {
       for (const QPointF& p : pass) EXPECT_NEAR(std::hypot(p.x() - 0.03, p.y()), 0.03, 1e-3) << slope;
     }
-    // what was before the puncture is not part of it
+    // points before the puncture are not part of it
     EXPECT_NEAR(track->time_s[0].first(), 0.011, 1e-9);
   }
 }
@@ -57,7 +57,7 @@ TEST(EntryTrack, CosineIsThatOfTheTimeInTheTissue) {
   ASSERT_EQ(track->cosine[0].size(), 390);
   EXPECT_NEAR(track->cosine[0].first().x(), 0.011, 1e-9);
   EXPECT_NEAR(track->mean_cosine, (190 * 0.25 + 200 * 0.75) / 390, 1e-6);
-  // out for a moment: two stays
+  // outside for a moment: two stays
   r.signal[300 * r.info.script.signals.size()] = 1;
   track = entry_track(r);
   ASSERT_TRUE(track);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// kill -9 in a school: of the console in the middle of an attempt, and of the server under a console that goes on. What is left is
-// whole, and what is kept of an attempt replays bit for bit. SWAGE_KILL_TRIALS: at how many moments; then the loss is judged, too,
+// kill -9 in a school: of the console during an attempt, and of the server while the console runs on. The store stays
+// consistent, and the stored part of an attempt replays bit for bit. SWAGE_KILL_TRIALS: number of kills; if set, the loss is judged, too,
 // which depends on the machine.
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ class Kills : public testing::Test {
     if (console_ > 0) kill_console(SIGKILL);
   }
 
-  /// A recorded hand plays 020; the novice takes longer than any test waits before it kills.
+  /// Starts 020 with a recorded hand, the novice's, which takes longer than any test waits before the kill.
   void start_console(const std::string& store) {
     console_ = fork();
     if (console_ != 0) return;
@@ -61,7 +61,7 @@ class Kills : public testing::Test {
     execl(SWAGE_CONSOLE_PROGRAM, SWAGE_CONSOLE_PROGRAM, lesson.c_str(), "--device", "novice", "--store", store.c_str(), "--start", nullptr);
     _exit(127);
   }
-  /// Its status as waitpid gives it.
+  /// Returns the exit status as from waitpid.
   int kill_console(int signal) {
     int status = 0;
     kill(console_, signal);
@@ -70,7 +70,7 @@ class Kills : public testing::Test {
     return status;
   }
 
-  /// Waits until the newest of `count` attempts has steps in the store. False after a minute and a half, only so that a failure ends.
+  /// Waits until the newest of `count` attempts has steps in the store. False after 90 s, so that a failing test ends.
   bool recording(const std::string& store, std::size_t count) const {
     for (const double until = now_s() + 90; now_s() < until; nap(0.05))
       if (attempts(store).size() == count && kept(store) > 0) return true;
@@ -123,7 +123,7 @@ TEST_F(Kills, OfTheConsoleLeaveItsStoreWholeAndWhatWasKeptOfTheAttempt) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     start_console(store);
     ASSERT_TRUE(recording(store, static_cast<std::size_t>(trial) + 1));
-    // steps that there are at least: what was in the store, and 1 000 a second since
+    // lower limit of the steps made: those in the store, and 1 000 a second since
     std::size_t seen = kept(store);
     double made = static_cast<double>(seen) - 1e3 * now_s();
     for (const double until = now_s() + more(random_); now_s() < until; nap(0.1)) {

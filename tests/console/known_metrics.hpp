@@ -5,7 +5,7 @@
 
 namespace swage::test {
 
-/// A lesson plugin's card of some metrics, as the catalogue gives it.
+/// Registers the labels of a lesson plugin's card with some metrics, as the catalogue gives them.
 inline void learn_known_metrics() {
   host::PluginInfo plugin;
   for (const char* id : {"force.peak", "motion.path", "grasp.tries"}) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The German window: every string is translated, nothing in a translation is broken, and what is seen is German.
+// The German window: every string is translated, no translation is malformed, and visible texts are German.
 #include "console/app/language.hpp"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,6 +12,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QListView>
+#include <QListWidget>
 #include <QLocale>
 #include <QProcess>
 #include <QRegularExpression>
@@ -20,6 +22,8 @@
 #include "console/cues/theme_words.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
+#include "console/pages/parts_panel.hpp"
+#include "console/widgets/parts.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -79,7 +83,7 @@ TEST(German, NoStringIsLeft) {
   ASSERT_TRUE(update.waitForFinished(120000));
   const QString complaints = QString::fromUtf8(update.readAllStandardError());
   ASSERT_EQ(update.exitCode(), 0) << complaints.toStdString();
-  // what such a class says is looked up under its parent's name, and stays English
+  // strings of such a class are looked up under its base class's name, and stay English
   EXPECT_FALSE(complaints.contains(QStringLiteral("lacks Q_OBJECT"))) << complaints.toStdString();
   const auto messages = read_messages(copy);
   EXPECT_GT(messages.size(), 800);
@@ -89,7 +93,7 @@ TEST(German, NoStringIsLeft) {
   }
 }
 
-// themes are data: what they say must be listed for the translators, too
+// themes are data: their texts must be listed for the translators, too
 TEST(German, WordsOfTheThemesAreListed) {
   const QStringList listed = console::theme_words();
   int found = 0;
@@ -113,7 +117,7 @@ TEST(German, PlacesMnemonicsAndEndsAreThoseOfTheSource) {
   ASSERT_GT(messages.size(), 800);
   for (const Message& m : messages) {
     for (const QString& form : m.forms) {
-      if (form.isEmpty()) continue;  // told by the test above
+      if (form.isEmpty()) continue;  // reported by the test above
       EXPECT_TRUE(m.numbered || places_in(form) == places_in(m.source)) << say(m, form);
       EXPECT_EQ(form.count(QLatin1Char('&')), m.source.count(QLatin1Char('&'))) << say(m, form);
       EXPECT_EQ(form.count(QLatin1Char('\n')), m.source.count(QLatin1Char('\n'))) << say(m, form);
@@ -137,7 +141,7 @@ class GermanWindow : public WindowTest {
     console::use_language(QStringLiteral("en"));
     QLocale::setDefault(QLocale::c());
   }
-  /// What a widget says, as it stands in the file: without the key that follows the words.
+  /// A widget's text as in the translation file: without the shortcut after it.
   static QString words_of(const QWidget* w) {
     QString text;
     if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
@@ -169,6 +173,37 @@ TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
   EXPECT_EQ(child<QPushButton>("page_people")->text(), "Personen");
 }
 
+// As the English window does (FirstSight.ASmallScreenHasRoomForEverything): 960x540 is 1920x1080 at 200 %.
+TEST_F(GermanWindow, FitsSmallScreens) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  for (const QSize& size : {QSize(1280, 800), QSize(1024, 768), QSize(960, 540)}) {
+    EXPECT_TRUE(eventually([&] {
+      window->resize(size);
+      return window->size() == size;
+    })) << window->width() << " x " << window->height();
+    for (const char* name : {"start", "pause", "reset", "mark", "stop", "guide", "trainee_button", "help_button"}) {
+      const auto* button = child<QPushButton>(name);
+      const QRect at(button->mapTo(window.get(), QPoint()), button->size());
+      EXPECT_TRUE(window->rect().contains(at)) << name << " at " << size.width();
+      const auto* keyed = dynamic_cast<const console::KeyedButton*>(button);
+      if (keyed) {
+        EXPECT_LE(button->fontMetrics().horizontalAdvance(keyed->words()), button->width()) << name << " at " << size.width();
+      }
+    }
+  }
+  // nothing in the column of the lessons is cut where it is slim
+  const auto* setup = page()->setup();
+  for (const char* name : {"make_variant", "person", "device", "demo"}) {
+    const auto* w = child<QWidget>(name);
+    EXPECT_LT(w->mapTo(setup, QPoint(w->width(), 0)).x(), setup->width()) << name;
+  }
+  for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
+    window->show_page(one.id);
+    EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();
+  }
+}
+
 // The insertion of a hanging needle has the most cues of all lessons without a thread, and the longest words.
 TEST_F(GermanWindow, CutsNoWordOfTheLegend) {
   open();
@@ -191,7 +226,7 @@ TEST_F(GermanWindow, WritesNumbersAndDatesAsGermansDo) {
   const auto* people = child<QTableView>("people");
   EXPECT_EQ(people->model()->headerData(0, Qt::Horizontal).toString(), "Name");
   EXPECT_EQ(people->model()->headerData(console::PeopleModel::kSeen, Qt::Horizontal).toString(), "Zuletzt da");
-  // numbers by %n
+  // plural forms by %n
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 1), QStringLiteral("1 Person hinzufügen"));
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 3), QStringLiteral("3 Personen hinzufügen"));
 }
@@ -207,7 +242,7 @@ QByteArray german_words(const QByteArray& pairs) {
   return R"({ "format": "swage-words/1", "language": "de", "words": {)" + pairs + "} }";
 }
 
-// Nothing of this lesson is in the program: its words lie beside it. What is kept stays as it is written.
+// No text of this lesson is in the program: its translations lie beside it. Records stay untranslated.
 TEST_F(GermanWindow, SaysInGermanWhatAStrangersLessonSays) {
   const QString file = dir.filePath(QStringLiteral("strangers/clip.json"));
   put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Set a clip", "summary": "Close the clip.", "goal": "Not too hard.",
@@ -241,7 +276,7 @@ TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
   EXPECT_EQ(console::said_event("The clip is closed; value: its force."), "Die Klammer ist zu");
   EXPECT_EQ(console::said("Drag", other.toStdString()), "Widerstand");
   EXPECT_EQ(console::said("Drag", clip.toStdString()), "Ziehen");
-  // two clips are told apart by the name that the lesson gives them
+  // two clips are distinguished by their names in the lesson
   const judge::Name one{"left", "clip.closed", "1", ""}, two{"right", "clip.closed", "1", ""};
   EXPECT_EQ(console::said_name(one, {one, two}), "Geschlossen (Left)");
   EXPECT_EQ(console::said_name(one, {one}), "Geschlossen");
@@ -253,7 +288,7 @@ TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
   EXPECT_EQ(console::said_id("clip.closed"), "Clip closed");
 }
 
-// What has no words of its own is named in English beside the plugin, which holds in every language that has no name for it.
+// Ids without a translation are named in English by the file beside the plugin, in every language that has no name for them.
 TEST(Words, AnEventIsCalledAsItsPluginSays) {
   QTemporaryDir dir;
   const QString clip = dir.filePath(QStringLiteral("org.example.clip"));
@@ -267,6 +302,38 @@ TEST(Words, AnEventIsCalledAsItsPluginSays) {
     EXPECT_EQ(console::said_id("clip.opened"), "Clip opened") << "nobody has named it";
     EXPECT_NE(console::said_id("host.gap"), "Host gap");
   }
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
+
+// Objects, couplings and instruments are named by their plugins' bundles, in the editor and where an instrument is put together.
+TEST(GermanWords, NameThePartsOfALesson) {
+  QTemporaryDir dir;
+  const QString bundle = dir.filePath(QStringLiteral("org.example.clip")), file = dir.filePath(QStringLiteral("lesson/clip.json"));
+  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange")"));
+  put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Clip", "devices": [],
+                 "objects": [ { "name": "left_clip", "plugin": "org.example.clip" } ], "lesson": { "plugin": "x.lesson" } })");
+  put(dir.filePath(QStringLiteral("lesson/words.de.json")), german_words(R"("left_clip": "Linke Klemme")"));
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  host::Catalogue catalogue(nothing);
+  host::PluginInfo clip, applier;
+  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.bundle_dir = bundle.toStdString();
+  applier.kind = SWAGE_KIND_DEVICE, applier.id = "org.example.applier", applier.name = "Clip applier", applier.bundle_dir = clip.bundle_dir;
+  catalogue.add(clip);
+  catalogue.add(applier);
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  for (const QString& folder : {bundle, dir.filePath(QStringLiteral("lesson"))}) console::learn_words(folder);
+  console::LessonDraft draft({file, "Clip", "", "", {}}, dir.filePath(QStringLiteral("draft.json")));
+  const console::PartsPanel parts(&draft, &catalogue, nullptr);
+  EXPECT_EQ(parts.findChild<QListWidget*>("parts")->item(0)->text(), "Linke Klemme: Gefäßklemme");
+  const console::PartDialog add(console::LessonPart::Kind::kObject, draft, catalogue, nullptr);
+  const auto* plugin = add.findChild<QComboBox*>("part_plugin");
+  EXPECT_GE(plugin->findText("Gefäßklemme"), 0);
+  EXPECT_EQ(plugin->findText("Vessel clip"), -1);
+  console::SetupPage setup;
+  setup.set_devices({&applier});
+  EXPECT_GE(setup.findChild<QComboBox*>("binding_pose")->findText("Anlegezange"), 0);
   console::use_language(QStringLiteral("en"));
   QLocale::setDefault(QLocale::c());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which of two tools the mouse leads: told by the hand that has buttons, found where that hand is.
+// Which of two tools the mouse drives: the tool at the position of the device that sends buttons.
 #include "console/view3d/led_tool.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ snapshot::SceneCard two_tools() {
   card.objects = {{"needle", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
                   {"first", "x", "1", {SWAGE_TRAIT_GRIPPER}, 1, 1, 0, 0},
                   {"second", "x", "1", {SWAGE_TRAIT_GRIPPER}, 2, 1, 0, 0}};
-  // a stranger's device is as good as ours: its flag says that the pointer leads it
+  // a third-party device counts as well: its flag marks it as a pointer device
   card.devices = {{"left", "swage.device.mouse", "1", SWAGE_DEVICE_POINTER}, {"right", "org.example.pad", "1", SWAGE_DEVICE_POINTER}};
   card.motion = {SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS, SWAGE_MOTION_FOLLOWS};
   return card;
@@ -30,7 +30,7 @@ TEST(LedTool, IsWhereTheHandWithButtonsIs) {
   now->n_device = 2;
   now->X_WB[1].p = {1e-3, 0, 0};
   now->X_WB[2].p = {-1e-3, 0, 0};
-  now->device[0].X_WD.p = {-1.1e-3, 0, 0};  // the order of devices is not that of tools
+  now->device[0].X_WD.p = {-1.1e-3, 0, 0};  // the order of devices differs from that of tools
   now->device[1].X_WD.p = {1e-3, 0, 0};
   EXPECT_EQ(led_tool(card, *now), SWAGE_NONE) << "nobody has told yet";
   now->device[0].valid = SWAGE_VALID_POSE | SWAGE_VALID_BUTTONS;

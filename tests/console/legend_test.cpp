@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the cues of each lesson of the series mean has room in the smallest window, in each language.
+// The legend of each lesson of the series fits into the smallest window, in each language.
 #include <QTableView>
 #include <filesystem>
 

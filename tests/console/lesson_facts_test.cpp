@@ -76,7 +76,7 @@ TEST(LessonFacts, DefaultsCountAndFaultsGiveNothing) {
   EXPECT_FALSE(force_band(dir.filePath("none.json").toStdString(), catalogue()));
 }
 
-// a lesson that limits the greatest force only
+// a lesson with an upper force limit only
 host::Catalogue limits() {
   const auto real = [](const char* id, const char* unit, double value) {
     host::Param p;
@@ -119,7 +119,7 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   EXPECT_EQ(metric_target(limit, "time", limits()), MetricTarget{});
 }
 
-// What is asked is told with the lesson's own values.
+// Criteria contain the lesson's own values.
 TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   host::Param time, carry, task;
   time.type = SWAGE_PARAM_REAL;
@@ -156,7 +156,7 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   EXPECT_TRUE(read_criteria(dir.filePath("none.json").toStdString(), all).pass.isEmpty());
 }
 
-// 130 asked for "at least 0.0001 N".
+// The criterion of 130 read "at least 0.0001 N".
 TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
   host::Param draw;
   draw.type = SWAGE_PARAM_REAL;
@@ -178,7 +178,7 @@ TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
   EXPECT_EQ(said(R"({"draw": "0 N"})"), QStringList({QStringLiteral("At least 0%1N.").arg(QChar(0x202f))}));
 }
 
-// 055 asked for posts and did not say so: a text holds when there is one.
+// A sentence on a text parameter applies if the text is set; 055's criterion on posts was missing.
 TEST(LessonFacts, ASentenceAboutATextHoldsWhereThereIsOne) {
   host::Param posts;
   posts.type = SWAGE_PARAM_TEXT;

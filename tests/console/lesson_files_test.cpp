@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A lesson goes to another station and comes back the same; a file that is no lesson is refused with file, line and reason.
+// A lesson that is exported and imported is unchanged; a file that is no lesson is refused with file, line and reason.
 #include "console/models/lesson_files.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST_F(LessonFiles, AFaultyFileIsRefusedWithFileLineAndReason) {
   EXPECT_EQ(QDir(dir.filePath("other/lessons")).entryList(QDir::Files), QStringList()) << "nothing was written";
 }
 
-// What is built of a lesson that is based on another has the lines of both; the file has its own.
+// The merged text of a derived lesson has other lines than its file.
 TEST_F(LessonFiles, AFaultIsToldAtTheLineOfTheFileThatIsImported) {
   const QString file = write("based.json", R"({ "format": "swage-lesson/1", "id": "own.b", "title": "B",
  "based_on": "series/base.json",

@@ -13,7 +13,7 @@ inline QVector3D at(const Mesh& m, uint32_t i) {
   return {m.vertex[i].p[0], m.vertex[i].p[1], m.vertex[i].p[2]};
 }
 
-/// Area of a mesh whose faces all look upwards, by what `of` makes of twice a face's vector area.
+/// Area of a mesh whose faces all point upwards; `of` maps twice a face's area vector to a number.
 template <class Of>
 double area(const Mesh& m, Of of) {
   constexpr float kRounding = 1e-7F;  // mm2

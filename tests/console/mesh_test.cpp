@@ -43,8 +43,8 @@ double volume(const Mesh& m) {
   return sum;
 }
 
-// every edge belongs to two triangles, in opposite directions; vertices are the same when they lie at one
-// place
+// every edge belongs to two triangles, in opposite directions; vertices at the same place
+// count as one
 bool closed(const Mesh& m) {
   const auto key = [&](uint32_t i) {
     const float* p = m.vertex[i].p;

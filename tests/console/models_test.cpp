@@ -85,14 +85,14 @@ TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
   EXPECT_EQ(model.row_of("b"), 2);
   EXPECT_EQ(model.row_of("nobody"), -1);
 
-  // named by another way to it, or a copy with the same id: listed once, the file that was named
+  // a file given by another path, or a copy with the same id, is listed once: the file added last
   EXPECT_EQ(model.add_file(dir.filePath("../" + QFileInfo(dir.path()).fileName() + "/020_b.json")), 2);
   write(other.filePath("copy.json"), lesson_with(R"("id": "b", "title": "Second, changed")"));
   EXPECT_EQ(model.add_file(other.filePath("copy.json")), 2);
   EXPECT_EQ(model.rowCount(), 4);
   EXPECT_EQ(model.at(2).title, "Second, changed");
 
-  // a fault of its structure is told as well, and what could be read of it is shown
+  // a structural error is reported as well, and the readable part is shown
   write(other.filePath("faulty.json"), lesson_with(R"("id": "f", "title": "Faulty", "devices": [{"name": "hand"}])"));
   EXPECT_EQ(model.add_file(other.filePath("faulty.json")), 0);
   EXPECT_EQ(model.at(0).title, "Faulty");
@@ -120,7 +120,7 @@ TEST(EventLog, ShowsWhatTheScriptMeans) {
   judge::Script script;
   script.events = {{"lesson", "needle.dropped", "1", "It fell."}};
   log.add({4200, 0, 0, 0}, script, 1e-3);
-  log.add({4300, 9, 0, 0}, script, 1e-3);  // not declared: not shown
+  log.add({4300, 9, 0, 0}, script, 1e-3);  // an undeclared event is not shown
   log.note(2.25, "Mark");
   ASSERT_EQ(log.rowCount(), 2);
   EXPECT_EQ(log.index(0, EventLog::kTime).data(), "00:04.2");
@@ -165,7 +165,7 @@ TEST(Metrics, AreOldestFirstAndLeaveOutWhatWasStopped) {
   EXPECT_DOUBLE_EQ(path.points.first().value, 90);
   EXPECT_LT(path.points.last().value, path.points.first().value);
   EXPECT_TRUE(path.points.last().test);
-  // who did not pass has no score: neither in the list nor in its curve
+  // an attempt that was not passed has no score: neither in the list nor in its curve
   const MetricSeries score = metric_series(model.attempts(), "score");
   EXPECT_EQ(score.better, SWAGE_BETTER_HIGHER);
   EXPECT_EQ(score.points.size() + score.without_score, 12);
@@ -202,7 +202,7 @@ TEST(Reading, FindsTheNumbersOfAScene) {
   ASSERT_EQ(r.counts.size(), 2);
   EXPECT_EQ(r.counts[0].value, "2");
 
-  // a scene that says nothing shows nothing
+  // a scene without signals has no readings
   const Reading none = Reader(snapshot::SceneCard{}).read(*s);
   EXPECT_FALSE(none.force || none.tilt || none.spot || none.tips || none.hold);
   EXPECT_TRUE(none.counts.isEmpty());
@@ -264,7 +264,7 @@ TEST(Reading, TheTensionIsThatOfTheThreadThatIsDrawn) {
   EXPECT_FALSE(tension_of({{"touch", "contact.force", "N", ""}}));
 }
 
-// the jaws of an assistant hold the needle whose angle is judged: nobody asks how hard
+// an assistant's jaws hold the needle whose angle is judged: their force is not judged
 TEST(Reading, AnAssistantsForceIsNotShown) {
   snapshot::SceneCard card;
   card.script.signals = {{"grasp", "grasp.force", "N", ""}, {"grasp", "grasp.held", "1", ""}};

@@ -31,14 +31,14 @@ snapshot::SceneCard scene() {
 TEST(NeedleCircle, IsThatOfTheWireAtTheTipsWhereItIsNow) {
   const snapshot::SceneCard card = scene();
   const SceneParts parts = make_parts(card);
-  // turned about x by a right angle, and moved: its plane is xz now
+  // rotated about x by a right angle, and moved: its plane is xz now
   const double c = std::numbers::sqrt2 / 2;
   const std::vector<swage_pose> X_WB = {{{1e-3, 2e-3, 0}, {c, c, 0, 0}}};
   const auto circle = needle_circle(card, parts, X_WB, {1, 2, 3.2F});
   ASSERT_TRUE(circle);
   EXPECT_NEAR((circle->centre - QVector3D(1, 2, 0)).length(), 0, 1e-4);
   EXPECT_NEAR(circle->radius, 3, 1e-4);
-  // the arc runs from its point at +x over +z: for the point to go first one turns the other way, which is about +y
+  // the arc runs from its point at +x over +z: the point leads in the opposite rotation, which is about +y
   EXPECT_NEAR((circle->axis - QVector3D(0, 1, 0)).length(), 0, 1e-4);
   EXPECT_FALSE(needle_circle(card, parts, X_WB, {1, 2, 5})) << "2 mm from the tips is not held";
 }
@@ -52,7 +52,7 @@ TEST(NeedleCircle, AStraightWireHasNone) {
 TEST(NeedleCircle, ItsMirrorImageGoesPointFirstToo) {
   const NeedleCircle circle{{1, 2, 3}, {0, 1, 0}, 3};
   const NeedleCircle image = mirrored(circle);
-  // a place on it moves along axis x lever; mirrored lever and motion belong together
+  // a point on it moves along axis x lever; the mirrored lever gives the mirrored motion
   const QVector3D lever(3, 0, 0), way = QVector3D::crossProduct(circle.axis, lever);
   const QVector3D way_image = QVector3D::crossProduct(image.axis, QVector3D(-3, 0, 0));
   EXPECT_EQ(way_image, QVector3D(-way.x(), way.y(), way.z()));

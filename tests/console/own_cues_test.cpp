@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cues of a lesson plugin that no theme knows: their look comes from their role, their name from the plugin's words.
+// Cues of a lesson plugin that no theme has: their style comes from their role, their name from the plugin's translations.
 #include "console/models/own_cues.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(OwnCues, AreSafeInEveryVisionAndSeenOnDark) {
         for (int k = 0; k < i; ++k)
           EXPECT_GE(test::difference(theme.role(kRoleNames[i]).colour, theme.role(kRoleNames[k]).colour, v), 20)
               << kRoleNames[i].toStdString() << " " << kRoleNames[k].toStdString();
-  // the colours of the roles are those of cues whose contrast on dark is tested with the themes
+  // roles use colours of cues whose contrast on dark is tested with the themes
   const CueTheme dark = CueTheme::stock("safe").on_dark();
   EXPECT_EQ(dark.role("good").colour, dark.style("target.near").colour);
   EXPECT_EQ(dark.role("warning").colour, dark.style("loop.too_many").colour);

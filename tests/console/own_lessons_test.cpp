@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of lessons of one's own: their names, what an edit of one changes and what it leaves as it was.
+// Files of the user's own lessons: their names, and what an edit changes and keeps.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -94,7 +94,7 @@ TEST(OwnLessons, PartsAreEditedInPlace) {
   Variant changed{"", "Mine", "", "", {}};
   changed.remove = {"tray", "ring"};
   changed.add["objects"] = {{{"name", "pad"}, {"plugin", "x"}}};
-  // one of its own parts, and one of the lesson below
+  // a part of the file itself, and one of the base
   QString path = write(R"({ "format": "swage-lesson/1", "based_on": "b.json", "id": "own.mine", "title": "Mine",
     "add": { "objects": [ { "name": "ring", "plugin": "x" } ] }, "set": { "ring.size": 1, "needle.size": 2 } })");
   ASSERT_EQ(update_variant(path, changed), "");
@@ -102,7 +102,7 @@ TEST(OwnLessons, PartsAreEditedInPlace) {
   EXPECT_EQ(json()["add"]["objects"].size(), 1u);
   EXPECT_EQ(json()["add"]["objects"][0]["name"], "pad");
   EXPECT_EQ(json()["set"], nlohmann::json({{"needle.size", 2}})) << "values go with their part";
-  // a lesson that is based on nothing
+  // a lesson without a base
   path = write(R"({ "format": "swage-lesson/1", "id": "own.mine", "title": "Mine",
     "objects": [ { "name": "tray", "plugin": "x" }, { "name": "ring", "plugin": "x" }, { "name": "needle", "plugin": "x" } ] })");
   changed.set = {{"needle.size", "3"}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The whole window, with keys and clicks. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
+// The whole window, by keys and clicks. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QComboBox>
@@ -58,7 +58,7 @@ TEST_F(Pages, KeysPauseResetMarkAndStop) {
   QTest::keyClick(window.get(), Qt::Key_F6);
   EXPECT_EQ(log->resumed, 1);
   QTest::keyClick(window.get(), Qt::Key_F7);
-  EXPECT_EQ(log->reset, 1);  // the needle, and not the jaws
+  EXPECT_EQ(log->reset, 1);  // the needle, not the jaws
   QTest::keyClick(window.get(), Qt::Key_F8);
   EXPECT_EQ(log->marked, 1);
   EXPECT_EQ(page()->events()->at(page()->events()->rowCount() - 1).what, "Mark");
@@ -85,7 +85,7 @@ TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
   QTest::keyPress(page()->view(), Qt::Key_G);
   QTest::keyRelease(page()->view(), Qt::Key_G);
   EXPECT_EQ(log->changed.size(), 2U);
-  // other keys move on as ever
+  // other keys move the focus as usual
   QTest::keyClick(page()->view(), Qt::Key_W);
   EXPECT_EQ(log->changed.size(), 2U);
 }
@@ -133,7 +133,7 @@ TEST_F(Pages, ALessonThatCannotRunSaysWhereAndTheWindowGoesOn) {
   QTest::keyClick(window.get(), Qt::Key_F5);
   EXPECT_EQ(control()->state(), RunControl::State::kIdle);
   script.refuse.clear();
-  QTest::keyClick(window.get(), Qt::Key_F5);  // looks again
+  QTest::keyClick(window.get(), Qt::Key_F5);  // checks the lesson again
   EXPECT_EQ(control()->state(), RunControl::State::kRunning);
   EXPECT_FALSE(problem->isVisible());
 }
@@ -160,7 +160,7 @@ TEST_F(Pages, AStoreThatCannotBeWrittenDoesNotStopTheLesson) {
   ASSERT_TRUE(eventually([&] { return child<QLabel>("recording")->text().contains("Not recorded"); }));
   click("stop");
   EXPECT_TRUE(child<QLabel>("kept")->text().contains("Not recorded"));
-  // a lesson that cannot run at all is not offered
+  // a lesson that cannot run is not offered
   script.refuse = "\"swage.jaw\" is not installed.";
   click("start");
   EXPECT_FALSE(offer->isVisible());
@@ -224,8 +224,8 @@ TEST_F(Pages, EveryControlHasANameAndTheKeyboardReachesAll) {
   }
   EXPECT_GT(controls, 15);
 
-  // Tab goes round through every enabled control of the page; of buttons that exclude each other it stops at the one that is
-  // on, and the arrow keys go on from there
+  // Tab visits every enabled control of the page; in a group of exclusive buttons it stops at the checked one,
+  // and the arrow keys reach the others
   QSet<QWidget*> reached;
   QWidget* const first = child<QComboBox>("person");
   first->setFocus();
@@ -376,13 +376,13 @@ TEST_F(Pages, WithoutOpenGlTheViewSaysSoAndTheRestWorks) {
   EXPECT_FALSE(window->grab().isNull());
 }
 
-// the last one: a program that was told to leave opens no dialog any more
+// must be the last test: a program that was told to quit opens no more dialogs
 TEST_F(Pages, ASignalEndsTheAttemptAsStopDoes) {
   run_to(0.1);
   window->leave();
   EXPECT_EQ(log->stopped, 1);
   EXPECT_EQ(control()->state(), RunControl::State::kFinished);
-  // the program was told to quit, and would open no dialog any more until it has been run again
+  // the program was told to quit, and opens no dialog until its event loop runs again
   QTimer::singleShot(0, qApp, [] { QCoreApplication::exit(); });
   QCoreApplication::exec();
 }

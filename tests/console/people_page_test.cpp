@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of people in the whole window: empty, without a store, with attempts.
+// The People page in the whole window: empty, without a store, with attempts.
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
@@ -60,7 +60,7 @@ TEST_F(PeoplePages, ProgressShowsAPersonsAttempts) {
   EXPECT_FALSE(progress->chart()->grab().isNull());
 }
 
-// Another program, or a colleague's station, has kept an attempt meanwhile.
+// Another program, or a colleague's station, has stored an attempt meanwhile.
 TEST_F(PeoplePages, WhatOthersWriteAppearsByItself) {
   attempts = sample_attempts();
   open();
@@ -197,7 +197,7 @@ TEST_F(PeoplePages, AReportOfManyAttemptsHasFurtherPages) {
   EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 3) << "72 lines of 20 px beside a chart";
 }
 
-// Recorded hands, void attempts and what was stopped are listed and say that they count for nobody.
+// Recorded hands, void attempts and aborted ones are listed and marked as not counted.
 TEST_F(PeoplePages, CountsAreTheSameInBothListsAndSayWhatIsLeftOut) {
   attempts = sample_attempts();
   for (int i : {6, 7}) attempts[static_cast<size_t>(i)].is_scripted = true;
@@ -217,7 +217,7 @@ TEST_F(PeoplePages, CountsAreTheSameInBothListsAndSayWhatIsLeftOut) {
   EXPECT_EQ(hands, 2);
 }
 
-// What is written says what was measured with; names stay here.
+// Exports contain versions and health of the measurement; names are not exported.
 TEST_F(PeoplePages, AttemptsLeaveWithVersionsAndHealth) {
   attempts = sample_attempts();
   open();
@@ -249,7 +249,7 @@ double percentile(std::vector<double> values, double share) {
   return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Paints a table at each of its places, a page apart; ms for each.
+/// Paints a table at each scroll position, page by page; ms for each.
 std::vector<double> scroll_times(QTableView* table) {
   std::vector<double> ms;
   QScrollBar* bar = table->verticalScrollBar();
@@ -263,7 +263,7 @@ std::vector<double> scroll_times(QTableView* table) {
   return ms;
 }
 
-// a picture in 33 ms, thirty a second, is what people call smooth; here nothing else draws
+// 33 ms per picture, thirty a second, counts as smooth; nothing else is drawn here
 TEST_F(PeoplePages, FiveThousandAttemptsScrollSmoothly) {
   const record::AttemptRow one = sample_attempts().front();
   for (int i = 0; i < 5000; ++i) {

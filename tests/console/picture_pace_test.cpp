@@ -39,7 +39,7 @@ TEST(PicturePace, AProcessorDrawsEveryOtherTick) {
   EXPECT_EQ(due, 10);
 }
 
-// From the oldest movement that a picture has not shown, over the first snapshot after it and the first picture of that, to the paint.
+// Latency: from the oldest movement not yet shown, over the first snapshot after it and the first picture of that snapshot, to the paint.
 TEST(PicturePace, LatencyRunsFromAMovementToThePaintThatShowsIt) {
   PicturePace pace;
   pace.want(100);
@@ -58,7 +58,7 @@ TEST(PicturePace, LatencyRunsFromAMovementToThePaintThatShowsIt) {
   EXPECT_NEAR(pace.latency().share(0.5), 0.031, 1e-9);
   pace.painted(150 * kMs);
   EXPECT_EQ(pace.latency().count(), 1U) << "once";
-  // a snapshot that came before the movement does not show it
+  // a snapshot older than the movement does not show it
   pace.sampled();
   pace.moved(200 * kMs);
   ASSERT_TRUE(pace.due(false));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The window on a fake session: to look at it without physics. preview theme cues out_prefix
+// The window on a fake session, for visual inspection without physics: preview theme cues out_prefix
 #include <QApplication>
 #include <QTemporaryDir>
 #include <QTimer>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the Review page says beside what was measured: points lost, the scales of surgeons, an instructor's own rating, and keys in its
+// The Review page beyond measurements: points lost, the scales of surgeons, an instructor's own rating, and keys in its
 // tables; on a real store.
 #include <QComboBox>
 #include <QFile>
@@ -118,7 +118,7 @@ TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
   const QByteArray text = written.readAll();
   EXPECT_TRUE(text.contains("rating_by_instructor,\"smart.efficiency\",,5,")) << text.toStdString();
   EXPECT_TRUE(text.contains("rating,\"smart.efficiency\",,4.2,"));
-  // back to 3, then to nothing; and a rating is taken back by hand as well
+  // undo to 3, then to no rating; and a rating is removed by hand as well
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_EQ(kept(id).size(), 1U);
   EXPECT_EQ(kept(id)[0].points, 3);
@@ -200,7 +200,7 @@ TEST_F(RatingPages, TabReachesEveryControlOfThePage) {
     EXPECT_TRUE(names.contains(QLatin1String(name))) << name << " of " << names.join(' ').toStdString();
 }
 
-// A jump is quicker than its picture: playing begins where the cursor is, not where the picture has come to.
+// A jump is quicker than its picture: playback begins at the cursor, not at the time of the picture.
 TEST_F(RatingPages, PlayingAfterAJumpBeginsAtTheCursor) {
   recorded_steps = 60'000;
   open_attempt(keep(3));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Review page in the whole window, with keys and clicks.
+// The Review page within the whole window, by keys and clicks.
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -45,7 +45,7 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   open_review();
   EXPECT_TRUE(child<QLabel>("review_title")->text().contains("Arun P."));
   EXPECT_EQ(child<QTableWidget>("review_metrics")->rowCount(), 3);
-  EXPECT_EQ(child<QTableWidget>("review_moments")->rowCount(), 2);  // without the lost deadline
+  EXPECT_EQ(child<QTableWidget>("review_moments")->rowCount(), 2);  // without the missed deadline
   EXPECT_EQ(review()->review().traces.size(), 4);
   EXPECT_FALSE(review()->timeline()->grab().isNull());
   click("review_back");
@@ -96,7 +96,7 @@ TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
   EXPECT_TRUE(arrives(500));
   QTest::keyClick(timeline, Qt::Key_End);
   EXPECT_TRUE(arrives(2000));
-  // a typed time, and an event of the list
+  // a typed time, and a selected event
   child<QDoubleSpinBox>("review_time")->setValue(0.123);
   EXPECT_TRUE(arrives(123));
   auto* moments = child<QTableWidget>("review_moments");
@@ -157,7 +157,7 @@ TEST_F(ReviewPages, ALoopGoesRoundUntilItIsLeft) {
   QTest::keyClick(review()->timeline(), Qt::Key_L);
   EXPECT_TRUE(child<QPushButton>("review_loop")->isChecked());
   child<QComboBox>("speed")->setCurrentIndex(5);
-  // the whole attempt of 2 s is in the loop: past its end the cursor is at the start again, and it plays on
+  // the whole attempt of 2 s is the loop: past its end the cursor returns to the start, and playback continues
   review()->go(1.9);
   review()->toggle_play();
   EXPECT_TRUE(eventually([&] { return review()->timeline()->cursor() < 0.8; }));
@@ -224,7 +224,7 @@ TEST_F(ReviewPages, TwoAttemptsShareOneClockAlignedByWhatBothHaveDone) {
   EXPECT_EQ(align->itemText(0), "Start");
   EXPECT_EQ(align->currentText(), "Grasped");
   EXPECT_DOUBLE_EQ(other->later_s(), 0) << "the same moment in both";
-  // an event at another time: what happened then lies at the same place of the timeline (U8: within 1 ms of data)
+  // an event at another time is shown at the same place of the timeline (U8: within 1 ms of data)
   align->setItemData(1, 0.25);
   align->setCurrentIndex(0);
   align->setCurrentIndex(1);
@@ -243,7 +243,7 @@ TEST_F(ReviewPages, TwoAttemptsShareOneClockAlignedByWhatBothHaveDone) {
   EXPECT_FALSE(review()->comparing());
 }
 
-// 1024 x 768 is what a projector or an old laptop has: nothing lies beyond the window, and metrics keep their names.
+// 1024 x 768 is the size of a projector or an old laptop: nothing lies outside the window, and names of metrics are not cut off.
 TEST_F(ReviewPages, ASmallScreenHoldsThePage) {
   open_review();
   window->resize(1024, 768);
@@ -264,7 +264,7 @@ TEST_F(ReviewPages, AnAttemptIsOnePageOfPaper) {
   EXPECT_TRUE(review()->write_report(QStringLiteral("/nowhere/a.pdf")).contains("/nowhere"));
 }
 
-// U7, 50 ms in a minute; shortened to ten seconds outside soaks, as what is lost at each tick adds up
+// U7: 50 ms in a minute; ten seconds outside soaks, as the loss at each tick accumulates
 TEST_F(ReviewPages, PlaybackKeepsTheTimeOfTheClockOnTheWall) {
   const int seconds = qEnvironmentVariableIsSet("SWAGE_SOAK_PLAYBACK") ? 60 : 10;
   recorded_steps = 2000 * seconds;
@@ -273,9 +273,9 @@ TEST_F(ReviewPages, PlaybackKeepsTheTimeOfTheClockOnTheWall) {
   QElapsedTimer wall;
   review()->toggle_play();
   ASSERT_TRUE(eventually([&] { return review()->timeline()->cursor() > 0; }));
-  // both clocks are read when the cursor has just moved; a busy machine reads one of them late now and then, so medians are compared
+  // both clocks are read just after a motion of the cursor; on a busy machine a reading is late at times, so medians are compared
   double at = review()->timeline()->cursor();
-  std::vector<double> early, late;  // s, wall less cursor
+  std::vector<double> early, late;  // s, wall clock minus cursor
   wall.start();
   while (wall.nsecsElapsed() < seconds * 1'000'000'000LL) {
     ASSERT_TRUE(eventually([&] { return review()->timeline()->cursor() != at; }));
@@ -291,7 +291,7 @@ TEST_F(ReviewPages, PlaybackKeepsTheTimeOfTheClockOnTheWall) {
   EXPECT_LT(std::abs(lost), 0.05) << "s in " << seconds;
 }
 
-// U6: ten minutes at 1 kHz; processor time, so that other programs of the machine do not matter
+// U6: ten minutes at 1 kHz; measured in processor time, which other programs do not change
 TEST_F(ReviewPages, TenMinutesScrubWithinAFrame) {
   recorded_steps = 600'000;
   open_review();

@@ -27,7 +27,7 @@ TEST(ReviewModel, TracesHaveRoundAxesInReadableUnitsAndTheImportantOnesComeFirst
   EXPECT_EQ(review.traces[1].name, "Grasp tilt axis");
   EXPECT_EQ(review.traces[1].unit, "°");
   EXPECT_NEAR(value_at(review.traces[1], r, 1500), 0.2 * 180 / M_PI, 1e-4);
-  // what never changes is offered, not shown
+  // a constant signal is listed, not shown
   EXPECT_TRUE(review.traces[3].flat);
   EXPECT_FALSE(review.traces[3].wanted);
   EXPECT_DOUBLE_EQ(review.length_s, 2.0);
@@ -69,7 +69,7 @@ TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
   record::AttemptRow attempt = test::fake_attempt();
   attempt.metrics = {{"points.time", "1", 3}, {"task.success", "1", 1}};
   Review review = make_review(attempt, test::fake_recording(10), {});
-  ASSERT_EQ(review.ratings.size(), 3);  // two items of SMaRT after their mean; no knot was tied, so the other scales say nothing
+  ASSERT_EQ(review.ratings.size(), 3);  // two items of SMaRT after their mean; no knot was tied, so the other scales have no items
   EXPECT_EQ(review.ratings[0].name, "SMaRT, computed (2 of 9 items)");
   EXPECT_EQ(review.ratings[1].name, "SMaRT: Efficiency");
   EXPECT_EQ(review.ratings[1].value, "4.2 of 5");  // 1 + 4 (1 - 3 / 15)
@@ -77,7 +77,7 @@ TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
   EXPECT_NE(summary_csv(review).find("rating,\"smart.efficiency\",,4.2,\"1\",\"1 to 5\""), std::string::npos) << summary_csv(review);
   EXPECT_TRUE(review.ratings[0].doc.contains("Computed from metrics; 2 of 9 items")) << review.ratings[0].doc.toStdString();
   EXPECT_TRUE(review.ratings[0].doc.contains("from memory")) << "the source, as the scale's file tells it";
-  // an instructor's points stand beside them and enter no computed mean
+  // an instructor's points are listed beside them and enter no computed mean
   review = make_review(attempt, test::fake_recording(10), {}, nullptr, {{"smart.efficiency", 3}, {"smart.operation_flow", 5}, {"gone.item", 1}});
   const RatedScale& smart = *std::find_if(review.scales.begin(), review.scales.end(), [](const RatedScale& s) { return s.id == "smart"; });
   EXPECT_EQ(smart.items.size(), 9);
@@ -86,7 +86,7 @@ TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
   EXPECT_DOUBLE_EQ(smart.computed_mean, 4.6);
   EXPECT_DOUBLE_EQ(smart.given_mean, 4);
   EXPECT_NE(summary_csv(review).find("rating_by_instructor,\"smart.operation_flow\",,5,\"1\",\"1 to 5\""), std::string::npos);
-  // who stopped before the end is not rated
+  // an aborted attempt is not rated
   attempt.outcome = "aborted";
   EXPECT_TRUE(make_review(attempt, test::fake_recording(10), {}).ratings.isEmpty());
 }
@@ -103,7 +103,7 @@ TEST(ReviewModel, TheLessonsOwnCardComesBeforeAnothers) {
   EXPECT_TRUE(review.metrics[0].doc.contains("max(f)"));
   EXPECT_EQ(review.metrics[1].better, SWAGE_BETTER_HIGHER);
   EXPECT_NE(summary_csv(review).find("\"best inside its band\""), std::string::npos);
-  // a card that says nothing leaves it to another that knows the metric
+  // for a metric without data on this card, another card is used
   card.metrics[0].evidence = SWAGE_EVIDENCE_NONE;
   review = make_review(test::fake_attempt(), recording, {}, &card);
   EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_LOWER);
@@ -120,12 +120,12 @@ TEST(ReviewModel, TheSeedIsShownSoThatTheAttemptCanBeSetUpAgain) {
 TEST(ReviewModel, SignalsAsCsvAreExactAndHaveUnits) {
   const record::Recording r = test::fake_recording(3);
   const QStringList lines = QString::fromStdString(signals_csv(r)).split('\n');
-  ASSERT_EQ(lines.size(), 5);  // heading, three steps, and what is after the last line end
+  ASSERT_EQ(lines.size(), 5);  // heading, three steps, and the empty text after the last line end
   EXPECT_EQ(lines[0].count(','), 4);
   EXPECT_TRUE(lines[0].contains("\"grasp grasp.force [N]\""));
   EXPECT_TRUE(lines[1].startsWith("0.001,"));
   EXPECT_EQ(lines[3].section(',', 1, 1).toFloat(), r.signal[2 * 4]);
-  // not a number is an empty field
+  // NaN is an empty field
   record::Recording gap = r;
   gap.signal[0] = NAN;
   EXPECT_TRUE(QString::fromStdString(signals_csv(gap)).split('\n')[1].startsWith("0.001,,"));
@@ -140,7 +140,7 @@ TEST(ReviewModel, SummaryAsCsvQuotesWhatPeopleWrote) {
   EXPECT_NE(csv.find("metric,\"force.peak\",,0.83,\"N\",\"lower is better\""), std::string::npos) << csv;
 }
 
-// Two instruments have one grasp each: plots, lists and pictures say whose force it is.
+// Two instruments have one grasp each: plots, lists and pictures name the instrument of each force.
 TEST(ReviewModel, TracesAndEventsOfTwoGraspsAreToldApart) {
   record::Recording r = test::fake_recording(200);
   ASSERT_GE(r.info.script.signals.size(), 2u);
@@ -179,7 +179,7 @@ TEST(LiveParams, ShowTheTablesUnitAndGoOutAsTheCheckerReadsThem) {
   EXPECT_EQ(p.unit(), "mm");
   EXPECT_DOUBLE_EQ(p.step(), 0.05);
   EXPECT_GE(p.decimals(), 2);
-  // the way out is the way in: what the form writes, the checker of lesson files accepts
+  // round trip: the form's output is accepted by the checker of lesson files
   host::ParamValues values;
   base::Problems problems;
   host::ParamSource source;

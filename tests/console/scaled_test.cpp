@@ -37,7 +37,7 @@ class Scaled : public WindowTest, public testing::WithParamInterface<const char*
     QLocale::setDefault(QLocale::c());
   }
 
-  // px that a widget needs for its words in one line; 0 for what wraps, elides or has none
+  // px that a widget needs for its text in one line; 0 for text that wraps or is elided, or without text
   static int wanted(const QWidget* w) {
     if (const auto* label = qobject_cast<const QLabel*>(w)) {
       const bool elides = dynamic_cast<const console::ElidedLabel*>(w) != nullptr;
@@ -47,7 +47,8 @@ class Scaled : public WindowTest, public testing::WithParamInterface<const char*
     }
     const auto* button = qobject_cast<const QAbstractButton*>(w);
     if (!button || button->text().isEmpty()) return 0;
-    const QString text = QString(button->text()).remove(QLatin1Char('&'));
+    const auto* keyed = dynamic_cast<const console::KeyedButton*>(w);
+    const QString text = (keyed ? keyed->words() : button->text()).remove(QLatin1Char('&'));
     int width = button->fontMetrics().horizontalAdvance(text);
     QStyle* style = w->style();
     if (qobject_cast<const QCheckBox*>(w))
@@ -63,7 +64,7 @@ class Scaled : public WindowTest, public testing::WithParamInterface<const char*
       out = std::max(out, label.fontMetrics().horizontalAdvance(word));
     return out;
   }
-  // what scrolls sideways may be wider than its window
+  // contents of a horizontal scroll area may be wider than the window
   static bool scrolls(const QWidget* w) {
     for (const QWidget* p = w->parentWidget(); p; p = p->parentWidget()) {
       const auto* area = qobject_cast<const QAbstractScrollArea*>(p);
@@ -71,7 +72,7 @@ class Scaled : public WindowTest, public testing::WithParamInterface<const char*
     }
     return false;
   }
-  // of buttons of which one is chosen Tab comes to one, and arrows to the others
+  // in a group of exclusive buttons Tab stops at one, and arrows reach the others
   static bool by_tab(const QAbstractButton* b) {
     if (!b->autoExclusive()) return b->focusPolicy() & Qt::TabFocus;
     for (const QAbstractButton* other : b->parentWidget()->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly))
@@ -102,7 +103,7 @@ TEST_P(Scaled, NoTextOfAnyPageIsClipped) {
       if (label && label->wordWrap()) {
         EXPECT_LE(label->heightForWidth(w->width()), w->height()) << page << ": " << name_of(w) << " is cut off below";
       }
-      // what lies beside its window cannot be read
+      // a control outside the window cannot be read
       const QRect at(w->mapTo(window.get(), QPoint()), w->size());
       if (!scrolls(w)) {
         EXPECT_TRUE(at.left() >= 0 && at.right() < window->width()) << page << ": " << name_of(w) << " lies outside";
@@ -112,7 +113,7 @@ TEST_P(Scaled, NoTextOfAnyPageIsClipped) {
   EXPECT_GT(seen, 150);
 }
 
-// From the first control on, Tab comes to each that can be used, and back to the first.
+// From the first control on, Tab visits each enabled one and returns to the first.
 TEST_P(Scaled, TabComesToEveryControl) {
   for (const char* page : kPages) {
     window->show_page(QString::fromLatin1(page));
@@ -132,7 +133,7 @@ TEST_P(Scaled, TabComesToEveryControl) {
   }
 }
 
-// A course with its rule and limits, beside two lists, where there is least room.
+// A course with its rule and limits, beside two lists: the layout with the least room.
 class SmallScreen : public Scaled {
  protected:
   void SetUp() override {

@@ -26,7 +26,7 @@ snapshot::CardShape block(uint32_t body, uint32_t object, swage_vec3 low, swage_
   return s;
 }
 
-// a tray 20 x 10 mm whose inside lies at z = 0, a block on it, a needle above, jaws beside
+// a tray of 20 x 10 mm with its floor at z = 0, a block on it, a needle above, jaws beside
 snapshot::SceneCard scene() {
   snapshot::SceneCard card;
   card.objects = {{"tray", "x", "1", {SWAGE_TRAIT_SOLID, SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
@@ -90,12 +90,12 @@ TEST(SceneParts, OneMeshPerBodyAndOneSleevePerMark) {
   EXPECT_EQ(parts.part[0].mesh.index.size(), 2 * 36U);  // both blocks of the tray
   EXPECT_EQ(parts.part[5].role, Role::kMark);
   EXPECT_FALSE(parts.part[5].collar);
-  // a collar where it ends; it starts at the very point, where there is none
+  // a collar at the end of the region; its start is the needle's point, where there is none
   EXPECT_TRUE(parts.part.back().collar);
   EXPECT_DOUBLE_EQ(parts.part.back().from, 0.5);
   EXPECT_NEAR(parts.part.back().to, 0.5 + 0.1e-3 / 4e-3, 1e-9);
   EXPECT_EQ(parts.part.back().body, 2U);
-  // nothing is drawn of shapes that are not to be drawn
+  // hidden shapes are not drawn
   snapshot::SceneCard card = scene();
   for (auto& s : card.shapes) s.flags = SWAGE_SHAPE_COLLIDES;
   EXPECT_EQ(make_parts(card).part.size(), 2U);  // the mark and its collar
@@ -119,7 +119,7 @@ TEST(SceneParts, TheHandBringsItsTipsToTheMarkedRegion) {
   card.start.push_back(card.start[3]);
   card.motion.push_back(SWAGE_MOTION_FOLLOWS);
   EXPECT_EQ(make_parts(card).tips.size(), 1U);
-  // without a mark it is the thing itself
+  // without a mark the object itself is the target
   card = scene();
   card.script.marks.clear();
   card.objects.pop_back();
@@ -152,7 +152,7 @@ TEST(SceneParts, ShadowsFallOnTissueToo) {
   EXPECT_NEAR(parts.shelf.z, 1, 1e-4);
   EXPECT_NEAR(parts.shelf.half_x, 1, 1e-3);
   EXPECT_NEAR(parts.ground.z, 0, 1e-4) << "what stands on the tray still throws its shadow there";
-  // tissue without a stage is not buried in the plane that takes its place
+  // tissue without a stage lies above the plane that replaces the stage
   card.shapes.erase(card.shapes.begin(), card.shapes.begin() + 2);
   EXPECT_FALSE(make_parts(card).ground.on_stage);
   EXPECT_NEAR(make_parts(card).ground.z, 0, 1e-4);
@@ -162,24 +162,24 @@ TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
   const SceneParts parts = make_parts(scene());
   EXPECT_EQ(parts.watched, 2);
   EXPECT_LT((parts.work.centre() - QVector3D(0.6F, 1, 2)).length(), 0.6F);
-  // the picture reaches towards the tool, whose nearest point is at 6 mm, and no further than keeps the work large
+  // the first view extends towards the tool, whose nearest point is at 6 mm, but only so far that the work stays large
   EXPECT_GT(parts.focus.high.x(), 1.3F * parts.work.high.x());
   EXPECT_LT(parts.focus.high.x(), 6);
-  // a helper's tool on the other side is in the picture, too
+  // a helper's tool on the other side is included, too
   snapshot::SceneCard helped = scene();
   helped.objects.push_back({"helper", "x", "1", {SWAGE_TRAIT_GRIPPER}, 5, 1, 0, 0});
   helped.shapes.push_back(block(5, 5, {-40e-3, -1e-3, 0}, {-6e-3, 1e-3, 1e-3}));
   helped.start.push_back({{0, 0, 2e-3}, {1, 0, 0, 0}});
   helped.motion.push_back(SWAGE_MOTION_FOLLOWS);
   EXPECT_LT(make_parts(helped).focus.low.x(), parts.focus.low.x() - 1);
-  // so is tissue, with its mark anywhere, however high its slope rises; not all of a wall that has no end
+  // tissue is included, with its mark anywhere, however high its slope rises; but not all of an infinite wall
   snapshot::SceneCard sloping = scene();
   sloping.objects[1].traits = {SWAGE_TRAIT_SOLID, "swage.trait.pierceable/1"};
   sloping.shapes[2] = block(1, 1, {-1e-3, -1e-3, 0}, {1e-3, 1e-3, 4.2e-3});
   EXPECT_NEAR(make_parts(sloping).focus.high.z(), 4.2, 1e-3);
   sloping.shapes[2] = block(1, 1, {-1e-3, -1e-3, 0}, {1e-3, 1e-3, 0.1});
   EXPECT_LT(make_parts(sloping).focus.high.z(), 7);
-  // nothing marked: both things that can be taken are framed, and none is followed
+  // without a mark both graspable objects are framed, and none is followed
   snapshot::SceneCard card = scene();
   card.script.marks.clear();
   EXPECT_EQ(make_parts(card).watched, -1);
@@ -209,7 +209,7 @@ TEST(SceneParts, AThreadThatTrailsBehindTheNeedleDoesNotMakeThePictureSmall) {
   ASSERT_EQ(parts.threads.size(), 1U);
   EXPECT_NEAR(parts.focus.radius(), before.focus.radius(), 1e-4F);
   EXPECT_EQ(parts.watched, 2) << "the needle";
-  // a thread alone is what is worked on
+  // a thread alone is the work
   card.objects[2].traits = {SWAGE_TRAIT_SOLID};
   EXPECT_NEAR(make_parts(card).work.high.y() - make_parts(card).work.low.y(), 30, 0.1F);
 }
@@ -227,7 +227,7 @@ TEST(SceneParts, ACourseIsShownWhole) {
   EXPECT_LT(parts.focus.high.x(), 9) << "but not the tray";
 }
 
-// The thesis: the body of an instrument stands in the way of the eye.
+// The thesis: the body of an instrument hides the work from the eye.
 TEST(SceneParts, OfInstrumentsOnlyTheTipsAreDrawnWhereTheLessonSaysSo) {
   snapshot::SceneCard card = scene();
   const auto holder = [&] {
@@ -247,7 +247,7 @@ TEST(SceneParts, OfInstrumentsOnlyTheTipsAreDrawnWhereTheLessonSaysSo) {
   EXPECT_NEAR(bounds(tips).low.x(), 0, 1e-3);
   EXPECT_NEAR(bounds(tips).high.x(), kTips_mm, 0.6) << "square to the way from the tip at an edge to the middle";
   EXPECT_GT(bounds(tips).high.x(), 5);
-  // nobody looks into it: where it was cut it is closed
+  // the mesh is closed at the cut
   float area = 0;
   for (size_t i = 0; i + 2 < tips.index.size(); i += 3) {
     QVector3D p[3];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an instructor changes, on a real store: written at once, undone and done again.
+// An instructor's changes, on a real store: written at once, undone and redone.
 #include <gtest/gtest.h>
 
 #include <QRegularExpression>
@@ -59,7 +59,7 @@ TEST_F(Desk, AListOfWhichOneFailsAddsNobody) {
   QString said;
   QObject::connect(&desk, &SchoolDesk::failed, [&](const QString& why) { said = why; });
   ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Bea L."), {})));
-  // the page did not know her: somebody added her on another station
+  // the page did not list her: she was added on another station
   EXPECT_FALSE(desk.add_people(read_roster(QStringLiteral("Ada\nBea L.\n"), {})));
   EXPECT_FALSE(said.isEmpty());
   EXPECT_EQ(names(), QStringList({"Bea L."}));
@@ -87,7 +87,7 @@ TEST_F(Desk, ErasingIsFinal) {
   EXPECT_FALSE(desk.people_edits()->canUndo());
 }
 
-// every edit of a course, taken back one by one, leaves what there was; done again, what there is
+// undoing every edit of a course restores the first state; redoing restores the last
 TEST_F(Desk, EditsOfACourseUndoToTheStartAndRedoToTheEnd) {
   std::vector<std::string> states = {""};
   const auto kept = [&] {
@@ -174,8 +174,8 @@ TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
   const auto experts = expert_attempts(all, {"e1", "e2"}, "l");
   ASSERT_EQ(experts.size(), 10u);
   judge::Limit x, y;
-  x.metric = "x", x.most = 7;  // kept by 8
-  y.metric = "y", y.most = 5;  // kept by 6, and by 4 both
+  x.metric = "x", x.most = 7;  // met by 8
+  y.metric = "y", y.most = 5;  // met by 6, and by 4 both
   const QString words = together_words({x, y}, experts);
   EXPECT_TRUE(words.contains("4 of 10")) << words.toStdString();
   EXPECT_TRUE(words.contains("6.")) << words.toStdString();
@@ -184,6 +184,27 @@ TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
   EXPECT_NE(x.source.find("fewer than 5 people"), std::string::npos) << x.source;
   EXPECT_FALSE(suggest_limit(y, experts, SWAGE_BETTER_NONE));
   EXPECT_TRUE(expert_attempts(all, {}, "l").empty()) << "nobody is an expert by chance";
+  // what was not passed meets nothing in a course, and is no measure for others
+  all[4].outcome = "failed";
+  const auto ten = expert_attempts(all, {"e1", "e2"}, "l");
+  EXPECT_TRUE(together_words({y, y}, ten).contains("5 of 10")) << together_words({y, y}, ten).toStdString();
+  for (record::AttemptRow& a : all) a.outcome = a.metrics[0].value < 5 ? "failed" : "passed";
+  judge::Limit least;
+  least.metric = "x";
+  ASSERT_TRUE(suggest_limit(least, expert_attempts(all, {"e1", "e2"}, "l"), SWAGE_BETTER_HIGHER));
+  EXPECT_GT(least.least, 5) << "the lowest of those that were passed";
+  // nor is one of a machine that was too slow
+  all[9].remark = "at 60 % of real speed";
+  EXPECT_EQ(expert_attempts(all, {"e1", "e2"}, "l").size(), 9u);
+}
+
+TEST(CourseWords, AnAttemptThatWasNotPassedHasNoScoreToLimit) {
+  record::AttemptRow a;
+  a.score = 70;
+  a.outcome = "failed";
+  EXPECT_TRUE(std::isnan(metric_value(a, "score")));
+  a.outcome = "passed";
+  EXPECT_EQ(metric_value(a, "score"), 70);
 }
 
 // --- bars, curves and tables
@@ -220,7 +241,7 @@ TEST(MetricBars, YesOrNoLiesInNoBand) {
   EXPECT_EQ(bars[0].id, "bars.number");
 }
 
-// A fit knows no scale: what is said of it stays within.
+// A fit ignores the metric's scale: its text is clamped to it.
 TEST(Curves, SayNothingBeyondTheScaleAndWhatFailuresAre) {
   QLocale::setDefault(QLocale::c());
   MetricSeries series;
@@ -303,7 +324,7 @@ TEST_F(Desk, RandomEditsAreUndoneAndDoneAgainToTheLetter) {
   ASSERT_TRUE(desk.change_course({}, first, QStringLiteral("new")));
   desk.people_edits()->clear();
   desk.course_edits()->clear();
-  // everything that people edit, as text
+  // all data that people edit, as text
   const auto state = [&] {
     auto s = reader();
     std::string out;
@@ -353,7 +374,7 @@ TEST_F(Desk, RandomEditsAreUndoneAndDoneAgainToTheLetter) {
   EXPECT_GT(made, 40);
   const std::string end = state();
   EXPECT_NE(start, end);
-  // each page has a stack of its own; whichever is taken back first
+  // each page has its own undo stack; the order between them is arbitrary
   for (QUndoStack* stack : {desk.people_edits(), desk.course_edits()})
     while (stack->canUndo()) stack->undo();
   EXPECT_EQ(state(), start);

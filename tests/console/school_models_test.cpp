@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of people as they are pasted, and where a person stands.
+// Pasted lists of people, and the standing of a person.
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The People and the Courses page on a real store, with keys and clicks.
+// The People and the Courses page on a real store, by keys and clicks.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
@@ -24,7 +24,7 @@ namespace {
 class SchoolPages : public WindowTest {
  protected:
   void SetUp() override { with_school = true; }
-  /// Does something in the next modal dialog of that name.
+  /// Runs `Do` in the next modal dialog of that name.
   template <class Do>
   void in_dialog(const char* name, Do what) {
     auto* look = new QTimer(window.get());
@@ -36,7 +36,7 @@ class SchoolPages : public WindowTest {
     });
     look->start(10);
   }
-  /// Ctrl and a key, once the window has the keyboard again.
+  /// Presses Ctrl and a key, once the window has the focus again.
   void press(Qt::Key key) {
     ASSERT_TRUE(eventually([&] {
       QApplication::setActiveWindow(window.get());
@@ -76,7 +76,7 @@ TEST_F(SchoolPages, APastedListIsPreviewedAddedAndUndone) {
   EXPECT_EQ(people(), 2);
 }
 
-// U15: what was pasted, typed or chosen is gone with the dialog
+// U15: pasted, typed or chosen input is discarded with the dialog
 TEST_F(SchoolPages, ADialogThatIsLeftWritesNothing) {
   open();
   click("page_people");
@@ -227,7 +227,7 @@ TEST_F(SchoolPages, ALessonIsPublishedOnceForEachText) {
   EXPECT_TRUE(record::School::open(school_file(), error)->lessons()[0].retired_utc.empty());
 }
 
-// no state by colour alone: the tick is seen
+// state is not told by colour alone: the tick is visible
 TEST_F(SchoolPages, ABoxOfATableThatIsCheckedShowsATick) {
   open();
   click("page_courses");
@@ -281,7 +281,7 @@ TEST_F(SchoolPages, ACourseIsBuiltWithoutASaveButtonAndUndone) {
   child<QSpinBox>("rule_later_day")->setValue(0);
   EXPECT_EQ(courses()[0].steps[0].rule.in_a_row, 3u);
   EXPECT_TRUE(child<QLabel>("rule_says")->text().contains("3 Test attempts in a row"));
-  // 3 in a row within 30 attempts, of somebody who succeeds half the time: 91 of 100
+  // 3 in a row within 30 attempts, for a trainee who succeeds half the time: 91 of 100
   EXPECT_TRUE(eventually([&] { return child<QLabel>("rule_odds")->text().contains(QStringLiteral("9")); }));
   const QString odds = child<QLabel>("rule_odds")->text();
   EXPECT_NEAR(odds.section(QStringLiteral("passes in "), 1).section(QLatin1Char(' '), 0, 0).toDouble(), 91, 2.5) << odds.toStdString();
@@ -335,7 +335,7 @@ TEST_F(SchoolPages, ANumberThatIsNoneLeavesTheLimitAsItWas) {
   EXPECT_TRUE(courses()[0].steps[0].limits[0].is_gate);
 }
 
-// An attempt of a hand with thirty metrics, out of which a school is drawn.
+// An attempt with thirty metrics by a scripted hand, as template for a school's attempts.
 std::string keep_hand(const std::string& store, double score) {
   record::AttemptInfo info;
   info.lesson_id = "org.example.a";
@@ -363,9 +363,9 @@ double thread_ms() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-// A page of a school with 5 000 attempts costs no more than reading them all three times with their 150 000 metrics: the People page
-// costs as much as once, and cost 3.7 times as much when it read metrics for each list. A ratio in processor time, which other programs
-// of the machine double at most, as they share a core with it; the times themselves are printed.
+// A page of a school with 5 000 attempts costs at most three times a read of all of them with their 150 000 metrics. The People page
+// costs one such read; it cost 3.7 when it read metrics for each list. A ratio in processor time, which other programs on the core
+// at most double; the times themselves are printed.
 TEST_F(SchoolPages, FiveThousandAttemptsAreNotReadForEveryList) {
   record::SyntheticSchool school;
   school.from = dir.filePath(QStringLiteral("hands.db")).toStdString();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A synthetic school in a file, and on a PostgreSQL server while stations record into it: every page opens, nothing that they write is
+// A synthetic school in a file, and on a PostgreSQL server while stations record into it: every page opens, and no written data is
 // lost. Small by default; the label soak (SWAGE_SOAK_SCHOOL=1) has 5 000 attempts and ten stations. Prints what pages and stations took.
 #include <algorithm>
 #include <atomic>
@@ -49,7 +49,7 @@ std::string keep_hand(const std::string& store, double score) {
   return recorder->attempt_id();
 }
 
-/// A station: attempts at 1 kHz one after the other, and a word twice a second, until it is told to end.
+/// A station: attempts at 1 kHz one after the other, and a state report twice a second, until it is stopped.
 class Table {
  public:
   Table(std::string where, int number) : where_(std::move(where)), number_(number), thread_([this] { work(); }) {}
@@ -126,13 +126,13 @@ class BigSchool : public WindowTest {
     ASSERT_TRUE(record::write_synthetic_school(school_file(), school, error)) << error;
     std::printf("%u attempts written in %.1f s\n", school.attempts, 1e-3 * ms_since(start));
   }
-  /// From the click to the painted page; of the window, from nothing.
+  /// Prints times from the click to the painted page; for the window, from its construction.
   void tell_open_times(const char* store) {
     auto start = Clock::now();
     open();
     std::printf("%s: window %.0f ms\n", store, ms_since(start));
     for (const char* page : {"page_people", "page_courses", "page_lessons", "page_review", "page_setup", "page_stations", "page_run"}) {
-      if (!window->findChild<QPushButton*>(QString::fromLatin1(page))) continue;  // no stations in a file
+      if (!window->findChild<QPushButton*>(QString::fromLatin1(page))) continue;  // a file has no stations
       std::vector<double> took;
       for (int round = 0; round < (soak() ? 7 : 1); ++round) {
         click(page == std::string("page_run") ? "page_setup" : "page_run");
@@ -161,7 +161,7 @@ TEST_F(SchoolInAFile, EveryPageOpens) {
 
 class SchoolOnAServer : public BigSchool {
  protected:
-  /// The list of everybody's attempts while stations write: all of it anew, as at the first visit of a page, and what is new since.
+  /// Times reads of everybody's attempts while stations write: all of them, as at the first visit of a page, and the new ones.
   void tell_read_times(int rounds) {
     std::string error;
     const auto known = record::Store::open(school_place, error);
@@ -201,7 +201,7 @@ TEST_F(SchoolOnAServer, EveryPageOpensWhileStationsWrite) {
   tell_read_times(soak() ? 15 : 3);
   click("page_stations");
   EXPECT_TRUE(eventually([&] { return window->stations_page()->stations()->rowCount() == kStations + 1; }));
-  // each has ended an attempt at least
+  // each has ended at least one attempt
   QTest::qWait(soak() ? 20000 : 4000);
 
   uint64_t steps = 0, beats = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every lesson of the series as one eye and as two see it, two seconds into the expert's attempt.
+// Every lesson of the series in pictures for one eye and for two, two seconds into the expert's attempt.
 #include <QPainter>
 #include <cmath>
 #include <filesystem>
@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 using console::StereoLayout;
 
 constexpr QSize kView_px(480, 400);
-constexpr int kSteps = 2000;        // 2 s: most hands are at their needle
-constexpr int kSearch_px = 80;      // shifts that are tried, either way
-constexpr double kDepth = 0.04, kSame = 0.02;  // shares of the middle: what two eyes see differently at least, and one eye at most
+constexpr int kSteps = 2000;        // 2 s: most instruments have reached their needle
+constexpr int kSearch_px = 80;      // range of the tried shifts, in both directions
+constexpr double kDepth = 0.04, kSame = 0.02;  // shares of the middle: smallest difference between two eyes, largest for one eye
 constexpr float kNearer_mm = 200;   // convergence: the scene, framed at 250 mm, lies behind the screen
 constexpr float kFurther_mm = 320;  // and before it
 
@@ -30,10 +30,10 @@ std::vector<std::string> series() {
   return out;
 }
 
-/// Two pictures, laid over each other where their middles are most alike.
+/// Two pictures, overlaid at the shift where their middles are most alike.
 struct Match {
-  int shift = 0;        // px, of the second to the right
-  double differs = 0;   // share of the middle that is seen otherwise all the same
+  int shift = 0;        // px, of the second picture to the right
+  double differs = 0;   // share of the middle that differs at this shift
 };
 
 Match match(const QImage& from, const QImage& to) {
@@ -75,7 +75,7 @@ class Series : public testing::TestWithParam<std::string> {
     QPainter(&out).drawImage(0, 0, view.image());
     return out;
   }
-  /// By how much an eye's picture moves to the right when its convergence goes from near to far, px.
+  /// Shift of an eye's picture to the right when its convergence goes from near to far, px.
   double moves(std::size_t eye) {
     double x[2];
     for (const bool far : {false, true}) {
@@ -88,9 +88,9 @@ class Series : public testing::TestWithParam<std::string> {
   console::SceneView view;
 };
 
-// A pair of pictures is right where each eye sees the scene; where each picture moves with the convergence as its eye does, as a whole
-// (off-axis frusta, eye.hpp); where things at other depths differ however the two are laid over each other; and where exchanged eyes are
-// just that.
+// A stereo pair is correct if each eye sees the scene; if each picture shifts as a whole with the convergence, in the direction of its eye
+// (off-axis frusta, eye.hpp); if things at other depths differ at any shift; and if swapping the eyes swaps
+// the pictures.
 TEST_P(Series, IsSeenByOneEyeAndByTwo) {
   if (!view.gl().ok) GTEST_SKIP() << "no OpenGL: " << view.gl().why.toStdString();
   session::Options options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The shell of the window: pages by key and button, what is remembered of their layout, the Lessons and the Setup page.
+// The frame of the window: pages by key and button, their remembered layout, the Lessons and the Setup page.
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -120,7 +120,7 @@ TEST_F(Shell, ActionsOfCoursesAndSetupHaveKeysThatTheirTipsTell) {
   }
 }
 
-// Without experts nobody knows a number: it is asked for at once, and the limit is there.
+// Without experts no limit can be suggested: its number is asked for at once.
 TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
   with_school = true;
   open();
@@ -141,8 +141,8 @@ TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
   EXPECT_TRUE(eventually([&] { return limits().size() == 1 && limits()[0].most == 40; }));
   click("remove_limit");
   EXPECT_TRUE(limits().empty());
-  // a button that is pressed by its key shows it for 100 ms and acts then. The lesson is not installed where this test runs, and the choice
-  // of metrics is empty again: that is told
+  // a button pressed by its shortcut shows that for 100 ms and acts then. The lesson is not installed where this test runs, and the list
+  // of metrics becomes empty: this is reported
   QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
   EXPECT_TRUE(eventually([&] { return child<QLabel>("course_problem")->text().contains("not known here"); }));
   EXPECT_TRUE(limits().empty());

@@ -39,14 +39,14 @@ TEST(Sight, ATurnedBoxHidesWhatItsEdgeReaches) {
   EXPECT_FALSE(hidden(with_box(Role::kStage), X_WB, {0, 1.5F, 0}, {-1, 0, 0}));
 }
 
-// A shaft from the needle to the eye 100 mm away: jaws are drawn, what hides the needle is not, nor is anything taken beside or behind it.
+// A shaft from the needle to the eye 100 mm away: jaws are drawn, the part that hides the needle is not, and parts beside or behind it are.
 TEST(ClearSight, LeavesOutOfAnInstrumentOnlyWhatStandsBeforeTheNeedle) {
   const ClearSight sight{{0, 0, 0}, 2, 2.5F};
   const QVector3D eye(0, -100, 0);
   EXPECT_EQ(cleared(sight, eye, {0, -2, 0}), 0) << "the jaws";
   EXPECT_EQ(cleared(sight, eye, {0, 30, 0}), 0) << "behind the needle";
   for (const float before : {5.F, 20.F, 60.F}) EXPECT_EQ(cleared(sight, eye, {0, -before, 0}), 1) << before << " mm before it";
-  // half way to the eye a place 1.5 mm aside is seen over one 3 mm aside
+  // half way to the eye a point 1.5 mm from the axis is projected to 3 mm
   EXPECT_EQ(cleared(sight, eye, {1.5F, -50, 0}), 0);
   EXPECT_EQ(cleared(sight, eye, {0.9F, -50, 0}), 1);
   EXPECT_EQ(cleared(sight, eye, {0, -120, 0}), 0) << "behind the eye";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The program itself, without a screen: SIGTERM ends its attempt as Stop does, and keeps it.
+// The program itself, without a screen: SIGTERM ends its attempt as Stop does, and the attempt is stored.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -19,7 +19,7 @@
 namespace swage::test {
 namespace {
 
-// an attempt by mouse, which nobody moves: it ends by the signal alone
+// an attempt with an unmoved mouse: only the signal ends it
 const std::string kLesson = SWAGE_SOURCE_DIR "/lessons/series/020_grasp_basic.json";
 
 std::vector<record::AttemptRow> kept(const std::string& store) {
@@ -42,7 +42,7 @@ TEST(Signal, EndsTheConsolesAttemptAsStopDoes) {
     execl(SWAGE_CONSOLE_PROGRAM, SWAGE_CONSOLE_PROGRAM, kLesson.c_str(), "--store", store.c_str(), "--start", nullptr);
     _exit(127);
   }
-  // 90 s: only so that a failure ends
+  // at most 90 s, so that a failing test ends
   for (int i = 0; i < 900 && kept(store).empty(); ++i) usleep(100'000);
   ASSERT_EQ(kept(store).size(), 1u);
   EXPECT_EQ(kept(store)[0].state, "running");

@@ -24,7 +24,7 @@ TEST(Interpolate, TakesTheShortWayRound) {
   at(0, *a);
   at(1, *b);
   const double half = 0.1;
-  b->X_WB[0].q = {-std::cos(half), 0, 0, -std::sin(half)};  // the same turn as {cos, 0, 0, sin}
+  b->X_WB[0].q = {-std::cos(half), 0, 0, -std::sin(half)};  // the same rotation as {cos, 0, 0, sin}
   interpolate(*a, *b, 0.5, *out);
   EXPECT_NEAR(out->X_WB[0].p.x, 0.5, 1e-12);
   EXPECT_NEAR(out->X_WB[0].q.w, std::cos(0.5 * half), 1e-6);
@@ -57,7 +57,7 @@ TEST(SnapshotSource, ASlowSessionIsShownEvenly) {
   double last = -1;
   for (int i = 0; i < 180; ++i) {
     const double wall = i / 60.0;
-    at(std::floor(wall * 15 + 1e-9) / 15, *s);  // a new one every fourth picture
+    at(std::floor(wall * 15 + 1e-9) / 15, *s);  // a new snapshot every fourth picture
     source.push(*s, wall);
     const double x = source.sample(wall)->X_WB[0].p.x;
     if (i > 60) {

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
+#include "console/view3d/visual_marks.hpp"
 #include "mesh_measures.hpp"
 
 namespace swage::console {
@@ -40,13 +43,13 @@ TEST(SoftSurface, RefiningKeepsTheSurfaceWholeAndIsFineWhereItIsDented) {
       EXPECT_LE((at(fine, a) - at(fine, b)).length(), 0.4F * std::max(from, 0.05F) * 1.001F);
       sides[std::minmax(a, b)] += a < b ? 1 : -1;
     }
-  // every inner edge has a triangle on either side; the others are the rim of the square
+  // every inner edge has a triangle on either side; other edges are the rim of the square
   for (const auto& [edge, balance] : sides) {
     if (balance == 0) continue;
     const QVector3D middle = 0.5F * (at(fine, edge.first) + at(fine, edge.second));
     EXPECT_FLOAT_EQ(std::max(std::abs(middle.x()), std::abs(middle.y())), 2);
   }
-  // without dents nothing is made smaller
+  // without dents nothing is refined
   EXPECT_EQ(refined(square(), X, {}).index, square().index);
 }
 
@@ -64,7 +67,7 @@ TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
     const float r2 = (p - dents[0].p).lengthSquared();
     EXPECT_NEAR(dented.vertex[i].p[2], -0.2F / std::sqrt(1 + 4 * r2), 1e-5F);
     deepest = std::min(deepest, dented.vertex[i].p[2]);
-    // against the normal by differences
+    // compared with the normal by finite differences
     const auto depth = [&](float dx, float dy) { return displacement(dents, p + QVector3D(dx, dy, 0)).z(); };
     const float h = 0.01F;
     const QVector3D n_W(-(depth(h, 0) - depth(-h, 0)) / (2 * h), -(depth(0, h) - depth(0, -h)) / (2 * h), 1);
@@ -72,6 +75,57 @@ TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
     EXPECT_GT(QVector3D::dotProduct(n, n_W.normalized()), 0.9995F);
   }
   EXPECT_NEAR(deepest, -0.2F, 0.003F);
+}
+
+/// Bounds of a mesh and how many triangles it has.
+struct Extent {
+  explicit Extent(const Mesh& m) : triangles(m.index.size() / 3) {
+    for (const Vertex& v : m.vertex)
+      for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], v.p[k]), high[k] = std::max(high[k], v.p[k]);
+  }
+  size_t triangles;
+  float low[3] = {1e9F, 1e9F, 1e9F}, high[3] = {-1e9F, -1e9F, -1e9F};
+};
+
+// what a plugin draws that the console has never heard of: to scale, of its tone, and a line never thinner than can be seen
+TEST(VisualMarks, LinesDiscsAndTubesBecomeTriangles) {
+  const auto s = std::make_unique<snapshot::Snapshot>();
+  Mesh ink, flesh, deep;
+  Mesh* const by_tone[SWAGE_TONES] = {&ink, &flesh, &deep};
+  const auto draw = [&](const swage_visual& v, double mm_per_pixel = 0.01) {
+    ink = flesh = deep = {};
+    s->n_visual = 1;
+    s->visual[0].visual = v;
+    return append_marks(*s, mm_per_pixel, by_tone);
+  };
+  swage_visual v{SWAGE_VISUAL_TUBE, SWAGE_NONE, 0, SWAGE_TONE_FLESH, {0, 0, 0}, {2e-3, 0, 0}, {0, 0, 0}, 0.1e-3, 1};
+  ASSERT_TRUE(draw(v));
+  const Extent tube(flesh);
+  EXPECT_EQ(ink.index.size() + deep.index.size(), 0u);
+  EXPECT_GT(tube.triangles, 10u);
+  EXPECT_NEAR(tube.high[2], 0.1F, 0.01F);
+  EXPECT_NEAR(tube.high[0], 2.1F, 0.02F);
+  v.strength = 0.5;
+  draw(v);
+  EXPECT_NEAR(Extent(flesh).high[2], 0.05F, 0.005F) << "the share of the radius that is drawn";
+  v.strength = 0;
+  EXPECT_FALSE(draw(v));
+
+  v = {SWAGE_VISUAL_LINE, SWAGE_NONE, 0, SWAGE_TONE_INK, {0, 0, 0}, {0, 1e-3, 0}, {0, 0, 0}, 0, 1};
+  draw(v, 0.01);
+  EXPECT_NEAR(Extent(ink).high[2], 0.0075F, 1e-3F) << "half of one and a half pixels";
+  draw(v, 0.1);
+  EXPECT_NEAR(Extent(ink).high[2], 0.075F, 1e-2F);
+
+  v = {SWAGE_VISUAL_DISC, SWAGE_NONE, 0, SWAGE_TONE_DEEP, {1e-3, 0, 0}, {1e-3, 0, 0}, {1, 0, 0}, 0.5e-3, 1};
+  draw(v);
+  const Extent disc(deep);
+  EXPECT_NEAR(disc.high[0] - disc.low[0], 0.02F, 1e-3F) << "flat along its normal";
+  EXPECT_NEAR(disc.high[1], 0.5F, 0.02F);
+  EXPECT_NEAR(disc.high[2], 0.5F, 0.02F);
+
+  v.kind = SWAGE_VISUAL_DENT;
+  EXPECT_FALSE(draw(v)) << "the surface's own";
 }
 
 }  // namespace

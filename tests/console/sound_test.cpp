@@ -99,7 +99,7 @@ TEST(Speaker, WritesEverySampleToADevice) {
   speaker.play(pcm);
   EXPECT_TRUE(eventually([&] { return speaker.written() >= pcm.size() || !speaker.why_silent().isEmpty(); }));
   EXPECT_EQ(speaker.why_silent(), QString());
-  // muted is nothing at all
+  // a muted speaker writes no samples
   const uint64_t before = speaker.written();
   speaker.set_volume(0);
   speaker.play(pcm);

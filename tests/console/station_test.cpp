@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// True size and place by a ruler's numbers and with an arm: the dialog, what is remembered, and what a session is told.
+// True size by ruler and registration with an arm: the dialog, the stored values, and the settings passed to a session.
 #include <swage/abi/device.h>
 
 #include <QPushButton>
@@ -23,7 +23,7 @@ using toolkit::Pose;
 using toolkit::Quat;
 using toolkit::Vec3;
 
-/// An arm whose tip is where the test says; it measures in its own frame.
+/// An arm whose tip position is set by the test, in the arm's own frame.
 class ArmSession final : public session::Session {
  public:
   explicit ArmSession(std::shared_ptr<swage_vec3> tip) : tip_(std::move(tip)) { card_.devices.resize(1); }
@@ -64,7 +64,7 @@ class StationTest : public WindowTest {
   static QString said(StationDialog& dialog, const char* name) {
     return dialog.findChild<QLabel*>(QString::fromLatin1(name))->text();
   }
-  /// As somebody measures a screen of 24 inches.
+  /// Enters the measurements of a 24-inch screen.
   static void measure(StationDialog& dialog) {
     box(dialog, "station_width")->setValue(527);
     box(dialog, "station_height")->setValue(296);
@@ -87,7 +87,7 @@ class StationTest : public WindowTest {
       return std::make_unique<ArmReader>(open, options);
     };
   }
-  /// Leads the tip to the four marks, or to the first `count`; `wrong`: one of them to another place.
+  /// Moves the tip to the four marks, or to the first `count`; `wrong`: index of one mark that is missed.
   void lead(StationDialog& dialog, const Pose& X_SD, int wrong = -1, int count = 4) {
     const auto marks = console::station_marks(dialog.station().size);
     button(dialog, "station_begin")->click();
@@ -97,7 +97,7 @@ class StationTest : public WindowTest {
       if (i == wrong) p_S.x() += 0.02;
       *tip = toolkit::raw(Vec3(X_SD.inverse() * p_S));
       QPushButton* take = button(dialog, "station_take");
-      QTest::qWait(50);  // places of the way there are forgotten once the tip rests
+      QTest::qWait(50);  // earlier positions are dropped once the tip rests
       ASSERT_TRUE(eventually([&] { return take->isEnabled(); }));
       ASSERT_TRUE(eventually([&] { return settled(); }));
       take->click();
@@ -167,21 +167,21 @@ TEST_F(StationTest, FourMarksRegisterAnArmAndAWrongOneIsRefused) {
   EXPECT_LT(arm.worst, 1e-9);
   EXPECT_TRUE(said(dialog, "station_registration").startsWith(QStringLiteral("Registered on"))) << said(dialog, "station_registration").toStdString();
   EXPECT_EQ(marks.size(), 8);
-  // the arm is read with nothing kept, in its own frame, and nobody pushes it
+  // the arm is read without a store, in its own frame, and without forces
   EXPECT_EQ(asked.store_path, ":none:");
   ASSERT_EQ(asked.settings.size(), 1u);
   const auto devices = nlohmann::json::parse(asked.settings[0].substr(std::string("devices=").size()));
   EXPECT_EQ(devices[0]["motion_scale"], 1);
   EXPECT_EQ(devices[0]["force_scale"], 0);
   EXPECT_EQ(devices[0]["pose"]["p"][0], 0);
-  // another instrument is not this one
+  // the registration does not hold for another instrument
   dialog.set_device(QStringLiteral("other"), QStringLiteral("Another"));
   EXPECT_TRUE(said(dialog, "station_registration").contains(QStringLiteral("not used for Another")));
   button(dialog, "station_forget")->click();
   EXPECT_FALSE(dialog.station().registered);
 }
 
-// U15: wherever somebody leaves, begins again or closes the window, what was registered before is as it was.
+// U15: cancelling, restarting or closing at any mark keeps the previous registration.
 TEST_F(StationTest, LeavingTheRegistrationAtAnyMarkChangesNothing) {
   const Pose X_SD(Vec3(0.02, -0.15, 0.08), Quat(0.9, 0.3, -0.2, 0.1).normalized());
   Station before;
@@ -216,7 +216,7 @@ TEST_F(StationTest, LeavingTheRegistrationAtAnyMarkChangesNothing) {
   }
 }
 
-// A lesson's instrument stands where the arm stands, while the trainee's view is in true place; and nowhere else.
+// The placement of a lesson's instrument is that of the arm while the trainee's view has true size and place, and not otherwise.
 TEST_F(StationTest, ASessionIsToldWhereTheHandStands) {
   Station station;
   station.size.on = station.size.held = true;
@@ -271,7 +271,7 @@ TEST_F(StationTest, ALessonWithoutADeviceIsLeftAsItIs) {
   EXPECT_TRUE(console::instrument_settings(kGrasp, {}, {}, {}).empty()) << "nobody asked for anything";
 }
 
-// The thesis' instrument in a lesson that was written for a mouse: pose from a pad, jaws from the sensor, a button as clutch.
+// The thesis' instrument in a lesson written for a mouse: pose from a pad, jaws from the sensor, a button as clutch.
 TEST_F(StationTest, APersonsInstrumentTakesThePlaceOfTheLessonsOwn) {
   host::Catalogue catalogue;
   host::PluginInfo pad;
@@ -292,7 +292,7 @@ TEST_F(StationTest, APersonsInstrumentTakesThePlaceOfTheLessonsOwn) {
   EXPECT_EQ(devices[0]["filters"]["clutch"][0], 4);
   EXPECT_EQ(devices[0]["motion_scale"], 10) << "as the lesson says";
   EXPECT_FALSE(devices[0].contains("or")) << "no scripted hand beside it";
-  // where the mouse has its tips at the start, in the pad's frame: x right, y up, z towards the user
+  // the mouse's start position of the tips, in the pad's frame: x right, y up, z towards the user
   const auto at = [&](const char* key, int i) { return devices[0]["params"][key][static_cast<size_t>(i)].get<double>(); };
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(at("start", i), 0, 1e-12);
   EXPECT_NEAR(at("start_axis", 0), -1, 1e-12);
@@ -303,7 +303,7 @@ TEST_F(StationTest, APersonsInstrumentTakesThePlaceOfTheLessonsOwn) {
   EXPECT_EQ(lesson.json["objects"][0]["follows"]["pose"], "hand");
   EXPECT_EQ(lesson.json["objects"][0]["follows"]["closure"], "hand_jaws");
   EXPECT_EQ(lesson.json["requires"]["swage.device.gamepad"], "^1");
-  // a pedal of a third device, or of the one that has the jaws
+  // a pedal of a third device, or of that of the jaws
   const auto clutched = [&](const char* pedal) {
     const auto said = console::instrument_settings(kGrasp, {"swage.device.gamepad", "swage.device.jaw_sensor", 2, pedal}, {}, catalogue);
     return nlohmann::json::parse(said[0].substr(8));
@@ -352,7 +352,7 @@ TEST_F(StationTest, AnInstrumentIsBoundInSetupAndRememberedForEachPerson) {
   ASSERT_EQ(devices().size(), 2u);
   EXPECT_EQ(devices()[0]["plugin"], "swage.device.gamepad");
   control()->stop();
-  // another person has another hand, and the first finds the own one again: now, and the next time
+  // another person has another instrument, and the first one's is restored: now, and after a restart
   page()->setup()->set_people({QStringLiteral("Ada"), QStringLiteral("Bo")}, QStringLiteral("Bo"));
   EXPECT_EQ(page()->setup()->device(), QStringLiteral("mouse"));
   EXPECT_EQ(child<QComboBox>("binding_pose")->currentIndex(), 0);
@@ -365,7 +365,7 @@ TEST_F(StationTest, AnInstrumentIsBoundInSetupAndRememberedForEachPerson) {
   window.reset();
   open();
   EXPECT_EQ(page()->setup()->device_name(), QStringLiteral("Game pad + Jaw sensor"));
-  // a demonstration is the expert's
+  // a demonstration uses the expert
   page()->setup()->set_mode(QStringLiteral("demo"));
   EXPECT_EQ(page()->setup()->device(), QStringLiteral("expert"));
 }

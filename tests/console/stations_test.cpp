@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stations of a school from the window: what the list says without a window, the page, messages, and a real server that freezes.
+// The stations of a school in the console: the list's texts, the page, messages, and a real server that freezes.
 #include <gmock/gmock.h>
 
 #include <QComboBox>
@@ -267,7 +267,7 @@ class StationsServer : public WindowTest {
   std::string where;
 };
 
-// Nobody asks again and again: the words arrive because the server tells.
+// No polling: messages arrive because the server notifies.
 TEST_F(StationsServer, NotificationsArriveInTheEventLoop) {
   const auto desk = enter("Desk"), table = enter("Table 2");
   int now = 0, message = 0;
@@ -317,7 +317,7 @@ TEST_F(StationsServer, AWindowIsSeenWrittenToAndPictured) {
   EXPECT_EQ(all[1].state, StationState::kClosed);
 }
 
-// Turns of the event loop in that time, and the longest wait between two, s.
+// Number of turns of the event loop in a period, and the longest interval between two, s.
 struct Smoothness {
   int turns = 0;
   double longest_s = 0;
@@ -353,7 +353,7 @@ TEST_F(StationsServer, AFrozenServerLeavesTheWindowSmooth) {
   EXPECT_TRUE(eventually([&] { return !window->stations()->problem().isEmpty(); })) << "it did meet the frozen server";
   EXPECT_TRUE(child<QLabel>("stations_problem")->isVisible());
   EXPECT_EQ(window->stations_page()->stations()->rowCount(), 1) << "what was seen stays to be read";
-  // a window that waited would turn 2/5 as often, and once not for 3 s
+  // a blocked window would make 2/5 of the turns, and none for 3 s
   EXPECT_GT(frozen.turns, before.turns / 2) << before.turns;
   EXPECT_LT(frozen.longest_s, 1.0) << "before: " << before.longest_s;
   std::printf("turns in %d ms: %d before, %d frozen; longest wait %.1f and %.1f ms\n", kWatched_ms, before.turns, frozen.turns,

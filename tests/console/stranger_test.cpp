@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts of the window as a stranger meets them (tests/stranger.md): what is told while a lesson runs, and after it.
+// The window as seen by a new user (tests/stranger.md): information during a lesson and after it.
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "console/app/help_dialog.hpp"
+#include "console/app/language.hpp"
 #include "console/cues/theme_words.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
@@ -57,7 +58,7 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
 }
 
-// A lesson of somebody else's instrument is done with that instrument, unless a person chooses another.
+// A lesson with another author's instrument uses that instrument, unless a person chooses another.
 TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   QTemporaryDir dir;
   const auto write = [&dir](const char* id, const char* first, const char* second) {
@@ -94,6 +95,45 @@ TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   EXPECT_EQ(panel.device(), "mouse") << "what a person chose stays";
 }
 
+class StrangersLesson : public test::WindowTest {
+ protected:
+  void TearDown() override {
+    window.reset();
+    use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+  void put(const QString& name, const char* text) {
+    QFile file(dir.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+  // its button below the picture, once its scene is shown
+  void expect_reset(const QString& label, const QString& tip) {
+    open();
+    const auto* reset = child<QPushButton>("reset");
+    EXPECT_TRUE(eventually([&] { return reset->text() == label + QStringLiteral("   F7"); })) << reset->text().toStdString();
+    EXPECT_EQ(reset->accessibleName(), label);
+    EXPECT_EQ(reset->toolTip(), tip + QStringLiteral(" (F7)"));
+    window.reset();
+  }
+};
+
+TEST_F(StrangersLesson, SaysWhatItsResetDoes) {
+  put("beads.json", R"({ "format": "swage-lesson/1", "id": "org.example.beads", "title": "Thread beads", "objects": [],
+    "reset": { "label": "Scatter again", "tip": "Lays all beads out as at the start" }, "lesson": { "plugin": "org.example.beads" } })");
+  put("words.de.json", R"({ "format": "swage-words/1", "language": "de", "words": {
+    "Scatter again": "Neu streuen", "Lays all beads out as at the start": "Legt alle Perlen aus wie am Anfang" } })");
+  launch.options.lesson_path = dir.filePath("beads.json").toStdString();
+  expect_reset("Scatter again", "Lays all beads out as at the start");
+  ASSERT_TRUE(use_language(QStringLiteral("de")));
+  expect_reset("Neu streuen", "Legt alle Perlen aus wie am Anfang");
+  // one that names nothing has the program's words
+  use_language(QStringLiteral("en"));
+  put("plain.json", R"({ "format": "swage-lesson/1", "id": "org.example.plain", "title": "Plain", "objects": [], "lesson": { "plugin": "org.example.plain" } })");
+  launch.options.lesson_path = dir.filePath("plain.json").toStdString();
+  expect_reset("Put back", "Put what the lesson works on back to where it started");
+}
+
 // A cue that no theme knows stands in the legend and in the help as the stock ones do, with its name, signs and sound.
 TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
   const CueTheme theme = CueTheme::stock("safe").with({{"lamp.lit", "The lamp is lit", "good"}});
@@ -109,7 +149,7 @@ TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == "The lamp is lit"; }));
 }
 
-// Thirty numbers would hide the five that matter; where the points went stands apart.
+// Thirty numbers would hide the five important ones; deductions are listed separately.
 TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
   ResultPanel panel;
   session::Result result;
@@ -138,7 +178,7 @@ TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
   auto* all = panel.findChild<QPushButton*>("all_numbers");
   all->click();
   EXPECT_TRUE(shown(number(9.25)));
-  // by keys in the order in which they stand
+  // by keys, in display order
   QWidget* at = panel.findChild<QPushButton*>("again");
   for (const char* name : {"to_review", "next_lesson", "to_progress", "all_numbers"}) {
     do at = at->nextInFocusChain();

@@ -52,7 +52,7 @@ TEST(ColourDifference, AgreesWithPublishedPairs) {
   }
 }
 
-// thesis 6.2.4: the point turns green while the needle is there and blue again when the hold is done; the tick tells it without colour
+// thesis 6.2.4: the point turns green while the needle is there and blue again after the hold; the tick marks it without colour
 TEST(CueThemes, ATargetIsOfItsFirstColourAgainWhenItIsDone) {
   for (const QString& name : CueTheme::stock()) {
     for (const CueTheme& theme : {CueTheme::stock(name), CueTheme::stock(name).on_dark()}) {
@@ -66,7 +66,7 @@ TEST(CueThemes, ATargetIsOfItsFirstColourAgainWhenItIsDone) {
 
 TEST(CueThemes, SafeOneIsSafeInEveryVision) { EXPECT_GE(worst_pair(CueTheme::stock("safe")), 20); }
 
-// WCAG 2.1: relative luminance, and contrast of text on its ground
+// WCAG 2.1: relative luminance, and contrast between text and background
 double luminance(const QColor& c) {
   return 0.2126 * test::to_linear(c.redF()) + 0.7152 * test::to_linear(c.greenF()) +
          0.0722 * test::to_linear(c.blueF());
@@ -76,7 +76,7 @@ double contrast(const QColor& p, const QColor& q) {
   return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
 }
 
-// 3:1 is what WCAG 2.1 asks of graphical objects (1.4.11)
+// WCAG 2.1 requires 3:1 for graphical objects (1.4.11)
 TEST(CueThemes, SafeOneIsSeenInDarkWindowsAndSafeThereToo) {
   const CueTheme theme = CueTheme::stock("safe").on_dark();
   EXPECT_GE(worst_pair(theme), 20);

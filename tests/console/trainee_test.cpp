@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a trainee meets who sits before the window alone: where the keyboard is, what is told when, and how it is left. Runs on the offscreen
+// A trainee alone at the window: keyboard focus, hints and advice, and leaving the program. Runs on the offscreen
 // platform without OpenGL, and under Xvfb with it.
 #include <QAbstractButton>
 #include <QComboBox>
@@ -27,7 +27,7 @@ using console::RunControl;
 
 class Trainee : public WindowTest {
  protected:
-  /// Presses a button of the next question of this name; how often one was asked is counted.
+  /// Presses a button of the next question of this name; counts the questions.
   void answer(const char* question, QMessageBox::ButtonRole role) {
     auto* timer = new QTimer(&timers);
     QObject::connect(timer, &QTimer::timeout, timer, [this, timer, name = QString::fromLatin1(question), role] {
@@ -49,7 +49,7 @@ class Trainee : public WindowTest {
   QString said;
 };
 
-// A letter that moves the instrument must not make another person of a name.
+// A key that moves the instrument must not edit the person's name.
 TEST_F(Trainee, TheKeyboardBeginsAtStartAndNotInTheName) {
   for (int launched = 0; launched < 2; ++launched) {
     open();
@@ -121,7 +121,7 @@ TEST_F(Trainee, EnterPressesTheButtonThatHasTheKeyboard) {
   EXPECT_EQ(log->stopped, 1);
 }
 
-// T with empty jaws drives nothing: it is told when the needle is held, and until then it does not count as known.
+// T with empty jaws drives nothing: its hint is shown when the needle is held, and until then the control does not count as used.
 TEST_F(Trainee, AControlIsToldWhenItIsNeededAndUntilItWasUsed) {
   script.with_grasp = true;
   script.rate = 1.5;
@@ -134,7 +134,7 @@ TEST_F(Trainee, AControlIsToldWhenItIsNeededAndUntilItWasUsed) {
   EXPECT_FALSE(hints().drive || hints().open || hints().put_back);
   QTest::keyClick(page()->view(), Qt::Key_T);
   EXPECT_FALSE(page()->used_controls().contains("drive"));
-  // from 4 s on it is held, at the wrong place
+  // from 4 s on the needle is held, at the wrong place
   ASSERT_TRUE(eventually([&] { return hints().drive; }));
   ASSERT_TRUE(eventually([&] { return hints().open; }));
   EXPECT_TRUE(advice().contains("open the jaws (B)")) << advice().toStdString();
@@ -144,7 +144,7 @@ TEST_F(Trainee, AControlIsToldWhenItIsNeededAndUntilItWasUsed) {
   QTest::keyClick(page()->view(), Qt::Key_T);
   EXPECT_TRUE(page()->used_controls().contains("drive"));
   EXPECT_FALSE(hints().drive);
-  // and at the right place nothing is said
+  // at the right place there is no advice
   ASSERT_TRUE(eventually([&] { return advice().isEmpty(); }));
 }
 
@@ -160,7 +160,7 @@ TEST_F(Trainee, AfterADropItIsSaidHowTheNeedleComesBack) {
   QTest::keyClick(window.get(), Qt::Key_F7);
   ASSERT_TRUE(eventually([&] { return advice().isEmpty(); }));
   EXPECT_FALSE(page()->view()->control_hints().put_back);
-  // a test tells no answers, but what was counted is told when it was stopped
+  // a test shows no answers, but its counts are shown after Stop
   click("stop");
   child<QAbstractButton>("test")->click();
   click("start");
@@ -198,7 +198,7 @@ TEST(TraineePanel, RulesAreReadDuringAnAttemptAndInATest) {
     EXPECT_FALSE(fold->isChecked()) << "the next attempt begins with the readings";
   }
   EXPECT_EQ(fold->shortcut(), QKeySequence(Qt::Key_F2));
-  // the last seconds stand out
+  // the last seconds are highlighted
   const auto* left = now.findChild<QLabel*>("time_left");
   now.show_reading({}, 30);
   EXPECT_FALSE(left->text().startsWith(QStringLiteral("▲")));
@@ -286,7 +286,7 @@ TEST_F(Trainee, WhatBecameOfPracticeIsSaidAtTheNextStart) {
   EXPECT_FALSE(noticed()) << "once";
 }
 
-// Ctrl is held while a drag turns the view, and Q moves the instrument.
+// Ctrl is held during a drag that turns the view, and Q moves the instrument.
 TEST_F(Trainee, TheKeyThatQuitsAsksWhileALessonRuns) {
   script.end_s = 0;
   open();
@@ -297,7 +297,7 @@ TEST_F(Trainee, TheKeyThatQuitsAsksWhileALessonRuns) {
   EXPECT_EQ(asked, 1);
   EXPECT_TRUE(window->isVisible());
   click("stop");
-  QApplication::setActiveWindow(window.get());  // offscreen no window manager gives it back after a dialog
+  QApplication::setActiveWindow(window.get());  // offscreen no window manager restores the focus after a dialog
   QTest::keyClick(window.get(), Qt::Key_Q, Qt::ControlModifier);
   EXPECT_EQ(asked, 1);
   EXPECT_FALSE(window->isVisible());
@@ -325,7 +325,7 @@ TEST_F(Trainee, TheLanguageIsChosenOnTheSetupPage) {
 TEST_F(Trainee, ASmallScreenHasTheGuideTheCuesAndWhatHappened) {
   open();
   ASSERT_TRUE(wait_for_preview());
-  const QSize size(1016, 730);  // what a frame leaves of 1024x768
+  const QSize size(1016, 730);  // the area inside a window frame of 1024x768
   ASSERT_TRUE(eventually([&] {
     window->resize(size);
     return window->size() == size;
@@ -340,7 +340,7 @@ TEST_F(Trainee, ASmallScreenHasTheGuideTheCuesAndWhatHappened) {
   EXPECT_TRUE(child<QPushButton>("stop")->text().contains("Shift+F5"));
 }
 
-// The needle as a whole is to be seen: where it stands as well as where it is taken.
+// The whole needle must be visible: its ends as well as its marked region.
 TEST(TraineePicture, AnInsetCoversNoEndOfTheNeedle) {
   FakeScript script;
   script.with_grasp = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// True size and place by a ruler's numbers, against the pinhole's closed form.
+// True size and place from ruler measurements, compared with the closed form of the pinhole camera.
 #include "console/view3d/true_size.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ QSizeF window_mm(const TrueSize& s) {
   return {kWindow_px.width() * mm.width(), kWindow_px.height() * mm.height()};
 }
 
-/// Where a point aside of the focus, in the camera's axes, is on the screen, mm from the middle of the window.
+/// Screen position of a point given relative to the focus in the camera's axes, mm from the middle of the window.
 QPointF on_screen(const Eye& eye, const OrbitCamera& c, const TrueSize& s, const QVector3D& p_C) {
   const QPointF px = eye.project(c.focus() + c.q_WC().rotatedVector(p_C), kWindow_px);
   const QSizeF mm = mm_per_pixel(s, kScreen_px);
@@ -57,7 +57,7 @@ TEST(TrueSize, TenMillimetresAreTenMillimetresOnTheScreenForEitherEye) {
   }
 }
 
-// An eye at (e, 0, d) sees a point at (x, y, z) through the plane z = 0 at e + (x - e) d / (d - z): what it would see were it there.
+// An eye at (e, 0, d) sees a point at (x, y, z) through the plane z = 0 at e + (x - e) d / (d - z), as it would see the real point.
 TEST(TrueSize, EveryPointIsWhereTheEyesWouldSeeTheThingItself) {
   const OrbitCamera c = camera();
   const TrueSize s = station();

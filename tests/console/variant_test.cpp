@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The form of a lesson of one's own: what is changed in it is what the file sets, and nothing is written that could not be practised.
+// The form of a derived lesson: its changes are the values set in the file, and only lessons that can be built are written.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -262,7 +262,7 @@ TEST_F(VariantDialogs, TheSceneIsBuiltAgainALittleAfterTheLastEdit) {
 TEST_F(VariantDialogs, WhatWasNotEndedIsTakenUpAgain) {
   set("live_tissue_thickness_0", 1.5);
   dialog->draft().remove_part("needle");
-  dialog.reset();  // as when the program is killed: nobody saved or cancelled
+  dialog.reset();  // as when the program is killed: neither saved nor cancelled
   ASSERT_EQ(drafts().size(), 1);
   open();
   EXPECT_EQ(parts(), QStringList{"tissue"});

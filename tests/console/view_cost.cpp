@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How well the scene is seen on this machine: view_cost [lesson.json [seconds]]
+// Cost of the views on this machine: view_cost [lesson.json [seconds]]
 //
-// The expert's attempt is shown in each way of seeing, while a hand moves the mouse. Told are pictures per second, how long the picture stood that
-// stood longest but for one in a hundred, the time from a movement to the first picture painted that can show it (what the screen takes is not
-// in it), and the time that all threads of this process spent on a picture. The table is that of resources/charts/seeing.md.
+// The expert's attempt is shown in each kind of view while the mouse moves. Printed are pictures per second, the 99th percentile of their
+// intervals, the latency from a movement to the first painted picture that can show it (without the screen's own delay),
+// and the processor time of all threads of this process per picture. The table is that of resources/charts/seeing.md.
 #include <QApplication>
 #include <QTest>
 #include <QTimer>
@@ -25,12 +25,12 @@ using console::StereoLayout;
 
 namespace {
 
-constexpr int kSnapshots = 40;         // shown in turn, there and back
-constexpr int kStepsApart = 16;        // as many as the display of a session leaves out
-constexpr int kFirstStep = 1500;       // the tool is at its work
-constexpr double kWarm_s = 1;          // before the clock starts
+constexpr int kSnapshots = 40;         // shown in turn, forwards and backwards
+constexpr int kStepsApart = 16;        // steps between two snapshots, as at the display rate of a session
+constexpr int kFirstStep = 1500;       // the tool has reached its work
+constexpr double kWarm_s = 1;          // before the measurement
 constexpr QSize kEye_px(1920, 1080), kSmall_px(1280, 800);
-constexpr int kPatience_ms = 120000;  // a processor that draws and is busy takes seconds for a picture
+constexpr int kPatience_ms = 120000;  // software rendering on a busy machine takes seconds per picture
 
 double seconds_of(clockid_t clock) {
   timespec t{};
@@ -46,7 +46,7 @@ struct Way {
   Mirror mirror = Mirror::kNone;
 };
 
-/// Every way of seeing for eyes of one size.
+/// All kinds of view for eyes of one size.
 std::vector<Way> ways(const QSize& eye) {
   const QSize wide(2 * eye.width(), eye.height()), high(eye.width(), 2 * eye.height());
   return {{"one picture, as the instructor's", eye, StereoLayout::kOneEye, false},
@@ -69,12 +69,12 @@ std::vector<Way> ways(const QSize& eye) {
 using Snapshots = std::vector<std::unique_ptr<snapshot::Snapshot>>;
 
 struct Seen {
-  double per_s = 0, longest_s = 0;         // pictures; the gap that 99 of 100 did not exceed
-  double hand_s = 0, hand_longest_s = 0;   // from a movement to its picture, half of them and 99 of 100
+  double per_s = 0, longest_s = 0;         // pictures; 99th percentile of the interval
+  double hand_s = 0, hand_longest_s = 0;   // latency from a movement to its picture: median and 99th percentile
   double cpu_s = 0;                        // per picture
 };
 
-/// Shows and moves for so long.
+/// Shows snapshots and moves the mouse for so many seconds.
 void play(console::SceneView& view, const Snapshots& shots, double seconds) {
   std::size_t next = 0;
   QTimer display;

@@ -17,7 +17,7 @@
 
 namespace swage::test {
 
-/// A window on a fake session and a fake store, with settings of its own.
+/// A window on a fake session and a fake store, with its own settings.
 class WindowTest : public testing::Test {
  protected:
   void open() {
@@ -82,7 +82,7 @@ class WindowTest : public testing::Test {
     window = std::make_unique<console::MainWindow>(std::move(services), launch);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatience_ms));
-    // a bare X server has no window manager that would do it
+    // a bare X server has no window manager to activate the window
     QApplication::setActiveWindow(window.get());
   }
   console::RunPage* page() { return window->run_page(); }
@@ -94,7 +94,7 @@ class WindowTest : public testing::Test {
     return found;
   }
   void click(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
-  /// Waits for a condition, never for a time: the limit is there so that a failure ends, and is never met by a slow machine.
+  /// Waits for a condition, never for a fixed time: the limit only ends a failing test, and even a slow machine stays below it.
   template <class Condition>
   static bool eventually(Condition condition) {
     return QTest::qWaitFor(condition, kPatience_ms);
@@ -102,7 +102,7 @@ class WindowTest : public testing::Test {
   bool wait_for_time(double t) {
     return eventually([&] { return control()->newest() && control()->newest()->time_s >= t; });
   }
-  /// An attempt without an end, that far.
+  /// Runs an attempt without an end to the time t.
   void run_to(double t) {
     script.rate = 20;
     script.end_s = 0;
@@ -113,7 +113,7 @@ class WindowTest : public testing::Test {
   bool wait_for_end() {
     return eventually([&] { return control()->state() == console::RunControl::State::kFinished; });
   }
-  /// The scene of the chosen lesson is shown.
+  /// Waits until the scene of the chosen lesson is shown.
   bool wait_for_preview() {
     return eventually([&] { return !child<QLabel>("lesson_title")->text().isEmpty(); });
   }
@@ -126,18 +126,18 @@ class WindowTest : public testing::Test {
   std::string school_file() const { return school_place.empty() ? dir.filePath("school.db").toStdString() : school_place; }
 
   bool with_store = true;
-  bool with_school = false;  // a real store, in which people and courses can be changed
-  bool with_expert = false;  // who guides
+  bool with_school = false;  // a real store, with people and courses that can be changed
+  bool with_expert = false;  // an expert for guides
   bool expert_passes = true;
-  std::string no_expert;  // non-empty: why there is none
-  int experts = 0;        // that were asked for
+  std::string no_expert;  // non-empty: why there is no expert
+  int experts = 0;        // number of experts opened
   session::Options expert_options;
   console::StationsOpener open_stations;  // none: this station alone
-  bool first_start = false;  // no size is given or remembered
+  bool first_start = false;  // no window size is given or remembered
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
-  size_t recorded_steps = 2000;  // of whatever attempt is opened for review; 0: it cannot be read
-  std::string plugin_missing;    // non-empty: the picture cannot be replayed
+  size_t recorded_steps = 2000;  // of any attempt opened for review; 0: it cannot be read
+  std::string plugin_missing;    // non-empty: the missing plugin, without which the picture cannot be replayed
   uint64_t differs = ~uint64_t{0};
   std::vector<record::AttemptRow> attempts;
   std::shared_ptr<FakeLog> log = std::make_shared<FakeLog>();

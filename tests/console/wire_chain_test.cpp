@@ -16,7 +16,7 @@ constexpr int kPieces = 5;
 
 swage_quat about_z(double a) { return {std::cos(0.5 * a), 0, 0, std::sin(0.5 * a)}; }
 
-// a needle of five pieces round the origin, its bodies in an order that is not that along the wire
+// a needle of five pieces around the origin, whose bodies are not in order along the wire
 snapshot::SceneCard needle() {
   snapshot::SceneCard card;
   card.objects = {{"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1"}, 0, kPieces, 0, 0}};
@@ -82,13 +82,13 @@ TEST(WireChain, IsOneWireInTheSceneWithOneSleeve) {
   EXPECT_TRUE(find_chains(rigid).empty());
 }
 
-// a kink at a joint is rounded within one station and nowhere leaves the wire's own thickness
+// a kink at a joint is rounded within one station, and the line stays within the wire's radius
 TEST(WireChain, ABentJointIsSmooth) {
   snapshot::SceneCard card = needle();
   const auto chains = find_chains(card);
   std::vector<swage_pose> bent = card.start;
   const double kink = 0.15, c = std::cos(4 * kSweep / kPieces), s = std::sin(4 * kSweep / kPieces);
-  // the last piece turned by the kink about its own beginning
+  // the last piece rotated by the kink about its own beginning
   const double x = kRadius * c, y = kRadius * s;
   bent[4] = {{x - std::cos(kink) * x + std::sin(kink) * y, y - std::sin(kink) * x - std::cos(kink) * y, 0},
              about_z(4 * kSweep / kPieces + kink)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Worst moments, events that two attempts share, and figures of a group.
+// Worst moments, common events of two attempts, and group figures.
 #include "console/models/worst_moments.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace swage::console {
 namespace {
 
-// the force of the fake recording, with a peak of 1.7 N at 1.234 s, and the metric that was made of it
+// the force of the fake recording, with a peak of 1.7 N at 1.234 s, and the metric computed from it
 struct Peaked {
   record::Recording recording = test::fake_recording(2000);
   record::AttemptRow attempt = test::fake_attempt();
@@ -39,7 +39,7 @@ TEST(WorstMoments, AMetricLeadsToThePeakOfItsSignal) {
   EXPECT_NEAR(worst[0].time_s, 1.234, 1e-9);
   EXPECT_TRUE(worst[0].what.contains("1.60")) << worst[0].what.toStdString();
   EXPECT_LT(worst[0].weight, kOverLimit);
-  // above what the lesson asks it is worse, and says so
+  // above the lesson's limit it is worse, with the limit in its text
   const auto over = p.worst([](const std::string&) { return MetricTarget{{}, 0.9}; });
   EXPECT_NEAR(over[0].weight, kOverLimit + 1.6 / 0.9, 1e-9);
   EXPECT_TRUE(over[0].what.contains("0.90")) << over[0].what.toStdString();
@@ -64,7 +64,7 @@ TEST(WorstMoments, WhatEndedTheAttemptComesFirstThenMishapsThenPeaks) {
   EXPECT_DOUBLE_EQ(worst[0].time_s, 1.8);
   EXPECT_DOUBLE_EQ(worst[1].time_s, 0.7);
   EXPECT_NEAR(worst[2].time_s, 1.234, 1e-9);
-  // without its event the end of the recording stands for it; what went well and what people said is no mishap
+  // without an event the end of the recording is used; good events and notes are no mishaps
   p.events.resize(p.events.size() - 2);
   EXPECT_DOUBLE_EQ(p.worst()[0].time_s, 2.0);
   EXPECT_EQ(p.worst().size(), 2);
@@ -100,7 +100,7 @@ TEST(CommonEvents, AreTheFirstOfEachKindThatBothHave) {
 }
 
 TEST(GroupFigure, EveryJudgedAttemptIsADotOfItsLessonAndPerson) {
-  auto attempts = test::sample_attempts();  // 14 of Arun in two lessons; one of Bea, stopped
+  auto attempts = test::sample_attempts();  // 14 of Arun in two lessons; one of Bea, aborted
   attempts[2].is_void = true;
   attempts.push_back(attempts[0]);
   attempts.back().person_id = "p3";

@@ -93,5 +93,80 @@ TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
   EXPECT_NEAR(uneven.lost.tension, 15 * 0.5, 1e-9);
 }
 
+/// Stitches that are cut off one thread of 30 mm: both tails are judged, the second stitch begins where the first was cut off.
+struct CutOff : Attempt {
+  CutOff() : Attempt(asked()) {
+    now.suture.length = 30e-3;
+    sew(27e-3);
+  }
+  static Rules asked() {
+    Rules rules;
+    rules.task = Task::kStitch;
+    rules.stitches = 2;
+    rules.suture.there = rules.suture.cut = true;
+    rules.suture.tail = 3e-3;
+    return rules;
+  }
+  /// Through, and drawn until the entry is `entry` [m] from the needle; the wound is 1 mm wide.
+  void sew(double entry) {
+    now.suture.state = 1, now.suture.entry = now.suture.exit = 0;
+    go();
+    stitch();
+    now.in_tissue = false;
+    now.suture.state = 2, now.suture.entry = entry, now.suture.exit = entry - 1e-3;
+  }
+  Finding cut(double at) {
+    now.suture.parted = true, now.suture.parted_at = at;
+    const Finding f = go();
+    now.suture.parted = false;
+    return f;
+  }
+};
+
+TEST(InsertionJudge, StitchesAreCutOffWithTheirTails) {
+  CutOff a;
+  EXPECT_EQ(a.go(600).stage, Stage::kCutOff);
+  const Finding first = a.cut(23e-3);
+  EXPECT_TRUE(first.stitched) << "26 - 23: 3 mm beyond the exit";
+  EXPECT_NEAR(first.cut_tail, 3e-3, 1e-12);
+  a.sew(20.2e-3);
+  EXPECT_EQ(a.go(600).stage, Stage::kCutOff) << "23 - 20.2: 2.8 mm before the entry";
+  const Finding last = a.cut(15.5e-3);
+  EXPECT_EQ(last.end, End::kPassed);
+  EXPECT_NEAR(a.memory.suture.cut_off.least, 2.8e-3, 1e-12);
+  EXPECT_NEAR(a.memory.suture.cut_off.most, 3.7e-3, 1e-12);
+  EXPECT_NEAR(last.lost.tails, 10 * (2 * 0.7 - 1), 1e-9);
+}
+
+TEST(InsertionJudge, ATailIsCutAgainWhereItIsTooLongAndLostWhereItIsTooShort) {
+  CutOff longer;
+  longer.go(600);
+  EXPECT_FALSE(longer.cut(20e-3).stitched) << "6 mm";
+  const Finding again = longer.cut(23e-3);
+  EXPECT_TRUE(again.stitched);
+  EXPECT_NEAR(longer.memory.suture.cut_off.end, 20e-3, 1e-12) << "the needle keeps what was cut off first";
+  CutOff shorter;
+  shorter.go(600);
+  EXPECT_EQ(shorter.cut(24.5e-3).end, End::kTailLost) << "1.5 mm";
+  CutOff entry;
+  entry.now.suture.entry = 24e-3, entry.now.suture.exit = 23e-3;
+  EXPECT_EQ(entry.go(600).stage, Stage::kPull) << "6 mm before the entry";
+  entry.cut(27e-3);
+  EXPECT_EQ(entry.go(600).stage, Stage::kCutOff) << "cut to 3 mm";
+  EXPECT_EQ(entry.memory.suture.cut_off.astray, 0);
+}
+
+TEST(InsertionJudge, ACutAstrayCostsPointsOrTheStitch) {
+  CutOff within;
+  within.go(600);
+  within.cut(26.5e-3);  // between entry and exit
+  EXPECT_EQ(within.memory.suture.cut_off.astray, 1);
+  Attempt early{CutOff::asked()};
+  early.now.suture.length = 30e-3, early.now.suture.state = 1, early.now.suture.entry = 5e-3;
+  early.go();
+  early.now.suture.parted = true, early.now.suture.parted_at = 2e-3;
+  EXPECT_EQ(early.go().end, End::kTailLost) << "the needle is cut off before it is through";
+}
+
 }  // namespace
 }  // namespace swage::lesson_insertion

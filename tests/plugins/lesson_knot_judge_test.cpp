@@ -2,10 +2,14 @@
 //
 // What counts as a knot on a wound: the word that is asked for or its mirror image, flat, drawn down, with the edges together; limits, score.
 #include "lessons/knot/judge.hpp"
+#include "lessons/knot/work.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <vector>
 
 namespace swage::lesson_knot {
 namespace {
@@ -188,6 +192,48 @@ TEST(KnotJudge, ALongEndThatIsDrawnOutOfClosedJawsIsADrop) {
   EXPECT_EQ(a.memory.drops, 1);
 }
 
+/// Both ends held and the first of two throws tied; the jaws that wind then let go with what the hand and the thread did, for `away` ms.
+Attempt let_go(double squeeze, double tension, double turns, double throws, int away) {
+  Rules rules;
+  rules.asked = word({2, -1});
+  Attempt a(rules);
+  a.now.squeeze = 0.3;
+  if (throws > 0) a.now.word = word({2});
+  a.now.tension_grip = tension, a.now.turns = turns;
+  a.go(100);
+  for (const double force : {0.2, 0.1, 0.04, 0.0}) a.now.grip[0] = force, a.now.squeeze = std::min(0.3, squeeze + force), a.go(1);
+  a.now.held[0] = false, a.now.tension_grip = 0;
+  a.go(away);
+  return a;
+}
+
+// a surgeon lays the long end down between two throws and takes it nearer to the knot
+TEST(KnotJudge, ALongEndLaidDownBetweenTwoThrowsAndTakenAnewIsNoDrop) {
+  Attempt a = let_go(0, 1e-3, 0.1, 1, 14000);
+  EXPECT_EQ(a.memory.drops, 0);
+  EXPECT_EQ(a.memory.regrasps, 0);
+  a.hold(0.3), a.go(100);
+  EXPECT_EQ(a.memory.drops, 0);
+  EXPECT_EQ(a.memory.regrasps, 1);
+  a.go(20000);
+  EXPECT_EQ(a.memory.drops, 0) << "taken anew";
+  EXPECT_EQ(a.memory.regrasps, 1);
+  Attempt gone = let_go(0, 1e-3, 0.1, 1, 16000);
+  EXPECT_EQ(gone.memory.drops, 1) << "not taken anew within 15 s";
+  gone.hold(0.3), gone.go(100);
+  EXPECT_EQ(gone.memory.drops, 1);
+  EXPECT_EQ(gone.memory.regrasps, 0);
+}
+
+TEST(KnotJudge, ALongEndThatSlipsOutOrIsDrawnOrWoundIsADrop) {
+  EXPECT_EQ(let_go(0.3, 1e-3, 0, 1, 10).memory.drops, 1) << "the jaws stayed closed";
+  EXPECT_EQ(let_go(0, 8e-3, 0, 1, 10).memory.drops, 1) << "it was drawn, and springs";
+  EXPECT_EQ(let_go(0, 1e-3, -0.9, 1, 10).memory.drops, 1) << "wound about the holder";
+  EXPECT_EQ(let_go(0, 1e-3, 0, 0, 10).memory.drops, 1) << "nothing is tied that would stay";
+  // a gripper that does not tell what the hand puts on its jaws
+  EXPECT_EQ(let_go(1e300, 1e-3, 0, 1, 10).memory.drops, 1);
+}
+
 TEST(KnotJudge, GrippingTooHardEndsATestAndNotPractice) {
   for (const bool ends : {true, false}) {
     Rules rules;
@@ -198,6 +244,68 @@ TEST(KnotJudge, GrippingTooHardEndsATestAndNotPractice) {
     EXPECT_EQ(finding.end, ends ? End::kTooHard : End::kRunning);
     EXPECT_TRUE(finding.too_hard[0] && finding.too_hard[1]);
   }
+}
+
+/// A stitch as a polyline: tail down to the left hole, half a circle of 1 mm through the tissue, out of the right hole; its legs rise to a
+/// throw `high` [m] above the surface, beside the middle by `aside`.
+struct LaidStitch {
+  double high = 0.5e-3, aside = 0;
+  std::vector<Vec3> p;
+  std::vector<double> s{0};
+  Loop loop;
+
+  LaidStitch(double high_m, double aside_m) : high(high_m), aside(aside_m) {
+    constexpr double kHole = 1e-3, kPi = 3.14159265358979323846;
+    constexpr int kArc = 400;
+    const Vec3 knot(aside, 0, high);
+    p = {knot + Vec3(-4e-3, 0, 1e-3), knot, Vec3(kHole, 0, 0)};  // the long end crosses to the left
+    for (int i = 1; i <= kArc; ++i) p.push_back(kHole * Vec3(std::cos(kPi * i / kArc), 0, -std::sin(kPi * i / kArc)));
+    p.push_back(knot);
+    p.push_back(knot + Vec3(4e-3, 0, 1e-3));
+    for (size_t i = 1; i < p.size(); ++i) s.push_back(s.back() + (p[i] - p[i - 1]).norm());
+    loop = {s[2], s[2 + kArc], s[3 + kArc] - s[1], 44.5e-6, Vec3::UnitZ()};
+  }
+  Vec3 place(double at) const {
+    size_t i = 1;
+    while (i + 1 < s.size() && s[i] < at) ++i;
+    return p[i - 1] + (at - s[i - 1]) / (s[i] - s[i - 1]) * (p[i] - p[i - 1]);
+  }
+  double gap() const {
+    return air_gap(loop, [this](double at) { return place(at); });
+  }
+};
+
+TEST(AirGap, IsTheHeightOfAKnotThatIsLaid) {
+  constexpr double kThread = 44.5e-6;
+  for (const double high : {0.1e-3, 0.3e-3, 1e-3, 2e-3})
+    EXPECT_NEAR(LaidStitch(high, 0).gap(), high - kThread, 0.02 * high) << high;
+  // off the middle one leg is longer; a place is found to a thirty-second of both
+  for (const double aside : {-0.5e-3, 0.3e-3}) EXPECT_NEAR(LaidStitch(1e-3, aside).gap(), 1e-3 - kThread, 0.05e-3) << aside;
+}
+
+TEST(AirGap, OfAKnotThatLiesOnIsNone) {
+  EXPECT_EQ(LaidStitch(0, 0).gap(), 0);
+  EXPECT_EQ(LaidStitch(40e-6, 0).gap(), 0) << "its middle is above the surface by less than a diameter";
+  LaidStitch taut(0.5e-3, 0);
+  taut.loop.length = taut.loop.entry - taut.loop.exit;  // no thread outside of the tissue
+  EXPECT_EQ(taut.gap(), 0);
+}
+
+TEST(Work, CountsGraspsAfterTheFirstAndHandsThatRest) {
+  WorkState s;
+  const auto step = [&](bool has, const Vec3& tip, int n, bool counts = true) {
+    for (int i = 0; i < n; ++i)
+      for (int hand = 0; hand < 2; ++hand)
+        WorkWatch::look(s, hand, has, hand == 0 ? tip : Vec3(tip + 1e-3 * s.idle[1].all_s * Vec3::UnitX()), 0.1, 0.3, 1e-3, counts);
+  };
+  step(false, Vec3::Zero(), 100);
+  step(true, Vec3::Zero(), 1900);
+  EXPECT_EQ(WorkWatch::regrasps(s), 0);
+  EXPECT_NEAR(WorkWatch::idle(s), 0.5, 0.01) << "one hand rests, the other goes at 1 mm/s";
+  step(false, Vec3::Zero(), 1, false);
+  step(true, Vec3::Zero(), 1000, false);
+  EXPECT_EQ(WorkWatch::regrasps(s), 2);
+  EXPECT_NEAR(WorkWatch::idle(s), 0.5, 0.01) << "what does not count changes nothing";
 }
 
 }  // namespace

@@ -39,4 +39,15 @@ struct PierceScene : PierceRig {
   }
 };
 
+/// Primitives of one kind that a snapshot shows.
+inline std::vector<swage_visual> drawn(const snapshot::Snapshot& shot, uint32_t kind) {
+  std::vector<swage_visual> out;
+  for (uint32_t i = 0; i < shot.n_visual; ++i)
+    if (shot.visual[i].visual.kind == kind) out.push_back(shot.visual[i].visual);
+  return out;
+}
+
+/// m, how far a wound leads.
+inline double depth_of(const swage_visual& wound) { return (toolkit::vec(wound.b) - toolkit::vec(wound.a)).norm(); }
+
 }  // namespace swage::test

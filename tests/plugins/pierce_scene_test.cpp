@@ -217,16 +217,17 @@ TEST(PierceScene, PushedAboutItTearsAndTheWoundTellsByHowMuch) {
   EXPECT_GT(s.signal("pierce.pull"), 5e-3);
   std::array<snapshot::Snapshot, 1> shot;
   s.engine->fill(shot[0]);
-  EXPECT_GE(shot[0].n_tear, 1u);
-  ASSERT_EQ(shot[0].n_wound, 1u);
-  const swage_wound& torn = shot[0].wound[0].wound;
-  EXPECT_EQ(torn.filled, 1u);
-  EXPECT_EQ(torn.wound, shot[0].tear[0].tear.wound);
-  EXPECT_EQ(torn.area, s.signal("pierce.area"));
-  EXPECT_NEAR(torn.p_W.x, s.signal("pierce.at_x"), 0.05 * kWire);
-  EXPECT_NEAR(torn.p_W.y, s.signal("pierce.at_y"), 0.05 * kWire);
-  EXPECT_NEAR(torn.depth, s.signal("pierce.depth"), 0.1 * torn.depth);
-  EXPECT_LT(torn.inward_W.z, -0.8) << "down into the tissue, less what the needle leans";
+  const std::vector<swage_visual> tears = drawn(shot[0], SWAGE_VISUAL_TEAR), wounds = drawn(shot[0], SWAGE_VISUAL_WOUND);
+  ASSERT_GE(tears.size(), 1u);
+  ASSERT_EQ(wounds.size(), 1u);
+  const swage_visual& torn = wounds[0];
+  EXPECT_EQ(torn.strength, 1);
+  EXPECT_EQ(torn.group, tears[0].group);
+  EXPECT_NEAR(M_PI * torn.radius * torn.radius, s.signal("pierce.area"), 1e-9 * s.signal("pierce.area"));
+  EXPECT_NEAR(torn.a.x, s.signal("pierce.at_x"), 0.05 * kWire);
+  EXPECT_NEAR(torn.a.y, s.signal("pierce.at_y"), 0.05 * kWire);
+  EXPECT_NEAR(depth_of(torn), s.signal("pierce.depth"), 0.1 * depth_of(torn));
+  EXPECT_LT(torn.direction.z, -0.8) << "down into the tissue, less what the needle leans";
 }
 
 TEST(PierceScene, TheTearThatIsDrawnMeetsTheNeedle) {
@@ -244,12 +245,13 @@ TEST(PierceScene, TheTearThatIsDrawnMeetsTheNeedle) {
     s.run_until(1.6);
     std::array<snapshot::Snapshot, 1> shot;
     s.engine->fill(shot[0]);
-    ASSERT_EQ(shot[0].n_wound, 1u);
-    const swage_wound& wound = shot[0].wound[0].wound;
-    EXPECT_NEAR(wound.p_W.x, s.signal("pierce.at_x"), 0.05 * kWire) << sweep;
-    EXPECT_NEAR(wound.p_W.y, s.signal("pierce.at_y"), 0.05 * kWire) << sweep;
-    EXPECT_NEAR(wound.p_W.z, 0, 0.05 * kWire) << sweep << ": dents go on top";
-    EXPECT_GT(wound.p_W.y, 4 * kWire) << sweep << ": it was pushed";
+    const std::vector<swage_visual> wounds = drawn(shot[0], SWAGE_VISUAL_WOUND);
+    ASSERT_EQ(wounds.size(), 1u);
+    const swage_visual& wound = wounds[0];
+    EXPECT_NEAR(wound.a.x, s.signal("pierce.at_x"), 0.05 * kWire) << sweep;
+    EXPECT_NEAR(wound.a.y, s.signal("pierce.at_y"), 0.05 * kWire) << sweep;
+    EXPECT_NEAR(wound.a.z, 0, 0.05 * kWire) << sweep << ": dents go on top";
+    EXPECT_GT(wound.a.y, 4 * kWire) << sweep << ": it was pushed";
   }
 }
 

@@ -120,15 +120,15 @@ TEST(PierceWays, ASecondEntryIsAWoundOfItsOwn) {
     std::array<snapshot::Snapshot, 1> shot;
     s.engine->fill(shot[0]);
     std::vector<uint32_t> wounds;
-    for (uint32_t i = 0; i < shot[0].n_tear; ++i) wounds.push_back(shot[0].tear[i].tear.wound);
+    for (const swage_visual& tear : drawn(shot[0], SWAGE_VISUAL_TEAR)) wounds.push_back(tear.group);
     std::sort(wounds.begin(), wounds.end());
     wounds.erase(std::unique(wounds.begin(), wounds.end()), wounds.end());
     EXPECT_EQ(wounds.size(), beside > 0 ? 2u : 1u) << "in the old hole it is the old wound";
-    ASSERT_EQ(shot[0].n_wound, wounds.size());
-    for (uint32_t i = 0; i < shot[0].n_wound; ++i) {
-      const swage_wound& wound = shot[0].wound[i].wound;
-      EXPECT_EQ(wound.filled, i + 1 == shot[0].n_wound ? 1u : 0u) << "the old hole is empty";
-      EXPECT_GT(wound.depth, 0.1e-3) << "and stays as deep as it was";
+    const std::vector<swage_visual> open = drawn(shot[0], SWAGE_VISUAL_WOUND);
+    ASSERT_EQ(open.size(), wounds.size());
+    for (size_t i = 0; i < open.size(); ++i) {
+      EXPECT_EQ(open[i].strength, i + 1 == open.size() ? 1 : 0) << "the old hole is empty";
+      EXPECT_GT(depth_of(open[i]), 0.1e-3) << "and stays as deep as it was";
     }
   }
 }

@@ -209,4 +209,50 @@ TEST(SwageInScene, a_thread_may_start_bent) {
     }
 }
 
+/// A thread that leads from its needle back over the wire of that, 3.9 mm along it from the hole, and on to where its other end is fixed below.
+/// The needle goes up until the thread, softer than nylon so that it does not spring from its bends, bears kTight.
+constexpr double kTight = 2e-3;  // N
+struct Drawn {
+  double force = 0, deep = 0;  // greatest: N, of all touches of the wire in a step; m
+  double in_hole = 0;          // N, summed, of touches within three depths of the hole
+  std::string troubles;
+};
+Drawn drawn_over_the_wire(bool bending, const std::string& touch) {
+  Held held;
+  held.bending = bending, held.segments = 60, held.length = 15e-3, held.start = "path";
+  held.swage = R"("depth": "0.25 mm", "touch": ")" + touch + "\"";
+  held.thread = R"("memory": 0, "young": "0.1 GPa", "last": "fixed", "path": "0 0 0, 0.7 0 0, 1.3 0.2 0.2, 1.8 0.7 0.6, 2 1.3 0.9, 1.7 2 1, 1 2.2 0.9, 0 2.2 0.7, -2.4 2.6 0.1, -6 6 -1.8 mm")";
+  held.keys = R"(, {"t": "0.2 s"}, {"t": "3.2 s", "p": [0, 0, "12 mm"]})";
+  ThreadScene s = held.scene();
+  Drawn out;
+  EXPECT_TRUE(s.engine);
+  if (!s.engine) return out;
+  s.run(1000);  // it starts with corners, and springs a little; then it lies on the wire
+  for (int k = 0; k < 2200 && s.signal("thread.tension") < kTight; ++k) {
+    s.run(1);
+    double force = 0;
+    for (const contact::Contact& c : s.engine->contacts().contact) {
+      const double f = c.f_a_W.norm();
+      (c.law.stiffness > 0 ? force : out.in_hole) += f;
+      if (f > 0) out.deep = std::max(out.deep, -c.gap);
+    }
+    out.force = std::max(out.force, force);
+  }
+  EXPECT_GE(s.signal("thread.tension"), kTight) << "it is drawn tight";
+  out.troubles = s.troubles();
+  return out;
+}
+
+// It touches the needle that it is in, bears on it, and does not pass through; where the touch is soft it sinks in.
+TEST(SwageInScene, a_thread_lies_on_its_own_needle) {
+  for (const bool bending : {false, true}) {
+    const Drawn hard = drawn_over_the_wire(bending, "1e5 N/m"), soft = drawn_over_the_wire(bending, "500 N/m");
+    EXPECT_GT(hard.force, 0.5 * kTight) << bending;
+    EXPECT_LT(hard.deep, 2e-6) << bending;
+    EXPECT_GT(soft.deep, 2 * hard.deep) << bending;
+    EXPECT_EQ(hard.in_hole, 0) << bending;
+    EXPECT_EQ(hard.troubles, "") << bending;
+  }
+}
+
 }  // namespace

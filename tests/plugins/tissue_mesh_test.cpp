@@ -347,11 +347,11 @@ TEST(TissueMesh, RelaxesAsAStandardLinearSolid) {
   double u = 0;
   for (int i = 1; i <= 400; ++i) u = p.step({0, 0, 0}).z();
   EXPECT_NEAR(u, left * std::exp(-0.4 * relaxed / time), 1e-6 * std::abs(C));
-  swage_dent dent[4];
+  swage_visual dent[4];
   uint32_t n = 0;
-  p.bench.get<swage_dents>(SWAGE_EXT_DENTS)->dents(p.bench.raw, &p.bench.step, 4, dent, &n);
+  p.bench.get<swage_visuals>(SWAGE_EXT_VISUAL)->draw(p.bench.raw, &p.bench.step, nullptr, 4, dent, &n);
   ASSERT_EQ(n, 1u);
-  EXPECT_NEAR(dent[0].u_W.z, u, 1e-9 * std::abs(C));
+  EXPECT_NEAR(dent[0].b.z - dent[0].a.z, u, 1e-9 * std::abs(C));
 }
 
 // A force that swings is answered by what the tissue gives at once and what it creeps in the step, and so the tissue

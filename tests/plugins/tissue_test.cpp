@@ -169,11 +169,11 @@ TEST(Tissue, YieldsRelaxesAndRemembers) {
   double u = 0;
   for (int i = 1; i <= 400; ++i) u = p.step({0, 0, 0}).z();
   EXPECT_NEAR(u, left * std::exp(-0.4 * relaxed / time), 1e-6 * C * F);
-  swage_dent dent[4];
+  swage_visual dent[4];
   uint32_t n = 0;
-  p.bench.get<swage_dents>(SWAGE_EXT_DENTS)->dents(p.bench.raw, &p.bench.step, 4, dent, &n);
+  p.bench.get<swage_visuals>(SWAGE_EXT_VISUAL)->draw(p.bench.raw, &p.bench.step, nullptr, 4, dent, &n);
   ASSERT_EQ(n, 1u);
-  EXPECT_NEAR(dent[0].u_W.z, u, 1e-9 * C * F) << "the dent that is drawn is the one that is there";
+  EXPECT_NEAR(dent[0].b.z - dent[0].a.z, u, 1e-9 * C * F) << "the dent that is drawn is the one that is there";
 }
 
 // Elastic tissue remembers nothing but the touch of the step before, and that where it was: a touch that slides finds the same dimple

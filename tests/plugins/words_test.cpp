@@ -87,11 +87,8 @@ Stock collect() {
   return out;
 }
 
-// What is said only in scenes of other lessons: scissors, and tissue with a slit whose edges are drawn.
-const std::vector<std::string> kOfNoStockLesson = {
-    "cut.force", "With which both blades press on the thread: that of the one that presses less.", "cut.cuts",
-    "How often the thread was cut so far.", "cut.parted", "The blades have cut the thread", "tissue.gap",
-    "Width of the slit as its edges are drawn now; 0: they meet."};
+// What is said only in scenes of other lessons: tissue with a slit whose edges are drawn.
+const std::vector<std::string> kOfNoStockLesson = {"tissue.gap", "Width of the slit as its edges are drawn now; 0: they meet."};
 
 /// A lesson of the series: what its file and its scene say, and the events of its couplings and its judge.
 struct Lesson {

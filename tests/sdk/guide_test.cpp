@@ -240,8 +240,7 @@ TEST(Guide, limits_are_those_of_the_sources) {
   EXPECT_EQ(at_most(page, "bodies, objects, particles"), number(kMaxBodies) + ", " + number(kMaxObjects) + ", " + number(kMaxParticles));
   EXPECT_EQ(at_most(page, "signals, metrics, marks, devices"),
             number(kMaxSignals) + ", " + number(kMaxMetrics) + ", " + number(kMaxMarks) + ", " + number(kMaxDevices));
-  EXPECT_EQ(at_most(page, "drawn: contacts, dents, tears, wounds"),
-            number(kMaxContacts) + ", " + number(kMaxDents) + ", " + number(kMaxTears) + ", " + number(kMaxWounds));
+  EXPECT_EQ(at_most(page, "drawn: contacts; primitives beside shapes"), number(kMaxContacts) + "; " + number(kMaxVisuals) + ", " + number(kMaxVisualsOfOne) + " by one plugin");
   EXPECT_EQ(at_most(page, "shapes; vertices or faces of one polyhedron; vertices of one chain"),
             written("framework/host/builder.cpp", "kMaxShapes") + "; " + written("framework/host/builder.cpp", "kMaxConvex") + "; " +
                 written("framework/host/chain.cpp", "kMost"));

@@ -16,6 +16,7 @@
 #include <swage/abi/object.h>
 #include <swage/abi/sight.h>
 #include <swage/abi/strand.h>
+#include <swage/abi/visual.h>
 #include <swage/abi/wire.h>
 
 #define SWAGE_SIZE(type, bytes) _Static_assert(sizeof(type) == bytes, #type);

@@ -15,6 +15,7 @@
 #include <swage/abi/object.h>
 #include <swage/abi/sight.h>
 #include <swage/abi/strand.h>
+#include <swage/abi/visual.h>
 #include <swage/abi/wire.h>
 
 #include <cstddef>

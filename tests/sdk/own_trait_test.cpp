@@ -3,7 +3,7 @@
 // A trait of one's own with a table: the functions find the object's class behind the instance (swage::self), and a coupling that
 // knows only the trait gets its answer.
 #include <gtest/gtest.h>
-#include <swage/abi/coupling.h>
+#include <swage/abi/visual.h>
 #include <swage/testbed.hpp>
 
 #include "../plugins_for_tests/sticky/sticky.hpp"
@@ -40,6 +40,22 @@ TEST(OwnTrait, a_coupling_asks_a_class_it_has_never_heard_of) {
   host.role = SWAGE_THREAD_RT;
   EXPECT_EQ(coupling->finish(peel, &step), SWAGE_OK);
   EXPECT_DOUBLE_EQ(signal, 5e3 * 293 / 310);
+
+  // what it draws keeps within the room that there is
+  const auto* visuals = static_cast<const swage_visuals*>(pad->get_extension(pad, SWAGE_EXT_VISUAL));
+  ASSERT_NE(visuals, nullptr);
+  EXPECT_EQ(peel->get_extension(peel, SWAGE_EXT_VISUAL), nullptr);
+  for (uint32_t room = 0; room <= 3; ++room) {
+    swage_visual drawn[3] = {};
+    uint32_t n = 99;
+    EXPECT_EQ(visuals->draw(pad, &object, nullptr, room, drawn, &n), SWAGE_OK);
+    EXPECT_EQ(n, room < 2 ? room : 2u);
+    if (room == 0) continue;
+    EXPECT_EQ(drawn[0].kind, uint32_t{SWAGE_VISUAL_DISC});
+    EXPECT_EQ(drawn[0].body, 0u);
+    EXPECT_EQ(drawn[0].direction.z, 1);
+    EXPECT_EQ(drawn[1].kind, room < 2 ? 0u : uint32_t{SWAGE_VISUAL_LINE});
+  }
   host.role = SWAGE_THREAD_MAIN;
   for (swage_instance* i : {peel, pad}) {
     i->deactivate(i);

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
-# How a plugin is built, for our own and for everybody else's alike.
+# Functions that build a plugin, Swage's own and others alike.
 #
 #   swage_add_plugin(<target> ID <id> SOURCES <file>... [RESOURCES <file>...] [LINKS <library>...]
 #                    [FOLDER <dir>] [NO_INSTALL] [NO_SIDECAR])
 #
 #     builds the bundle  <FOLDER>/<id>/  (FOLDER: <build>/plugins unless given) with
 #       <id>.so      a module that exports swage_plugin_entry and nothing else
-#       plugin.json  what the module says of itself, written by swage-describe after linking
+#       plugin.json  description of the module, written by swage-describe after linking
 #       RESOURCES    copied beside them; the plugin finds them through swage::bundle_dir()
-#       words*.json  copied, too, where they lie beside the sources: what the plugin says in other languages (guide/languages.md)
-#     and installs it below lib/swage/plugins. LINKS are the plugin's own libraries; the SDK and the toolkit are always there.
+#       words*.json  translations beside the sources, copied as well (guide/languages.md)
+#     and installs it below lib/swage/plugins. LINKS are the plugin's own libraries; the SDK and the toolkit are always linked.
 #
 #   swage_add_plugin_tests(<target> [STRICTNESS <1..10>])
 #
@@ -18,7 +18,7 @@
 
 include_guard(GLOBAL)
 
-# the module itself: one exported symbol, no surprises at run time, the same arithmetic for everybody
+# Flags of the module: one exported symbol, all symbols bound at load time, the same arithmetic on all compilers.
 function(_swage_plugin_flags target)
   set_target_properties(${target} PROPERTIES
     PREFIX "" SUFFIX ".so" POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF
@@ -30,13 +30,13 @@ function(_swage_plugin_flags target)
   target_link_options(${target} PRIVATE -Wl,-z,now -Wl,--version-script=${map})
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
 
-  # clang's sanitizers leave their runtime to the program
+  # with clang, the program and not the module links the runtime of the sanitizers
   if(NOT (SWAGE_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES Clang))
     target_link_options(${target} PRIVATE -Wl,-z,defs)
   endif()
 endfunction()
 
-# finds swage-describe: the one being built here, else the one that came with the package
+# Finds swage-describe: the target of this build, otherwise the installed program.
 function(_swage_describe_program out)
   if(TARGET swage-describe)
     set(${out} $<TARGET_FILE:swage-describe> PARENT_SCOPE)
@@ -79,7 +79,7 @@ function(swage_add_plugin target)
   endif()
   _swage_plugin_flags(${target})
 
-  # resources beside the module; one that changes is copied again
+  # resources beside the module; a changed one is copied again
   file(GLOB words RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/words*.json)
   list(APPEND PLUGIN_RESOURCES ${words})
   list(REMOVE_DUPLICATES PLUGIN_RESOURCES)
@@ -89,7 +89,7 @@ function(swage_add_plugin target)
       COMMAND ${CMAKE_COMMAND} -E copy_if_different ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${bundle}/ VERBATIM)
   endforeach()
 
-  # the sidecar says what the module says; it is never written by hand
+  # plugin.json is made from the module and never written by hand
   _swage_describe_program(describe)
   if(describe AND NOT PLUGIN_NO_SIDECAR)
     if(TARGET swage-describe)
@@ -128,7 +128,7 @@ function(swage_add_plugin_tests target)
     return()
   endif()
   set(limit)
-  if(SWAGE_SANITIZE) # up to twenty times as slow
+  if(SWAGE_SANITIZE) # up to twenty times slower
     set(limit --limit 400)
   endif()
   add_test(NAME ${id}.validate COMMAND ${program} validate ${bundle} --strictness ${TESTS_STRICTNESS} ${limit})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "@FILE@.hpp"
 
-// [main] everything the coupling will ever own
+// [main] Declares everything that the coupling uses while the scene runs.
 void @NAME@::build(const @NAME@Params&, Builder& builder) {
   builder.state<State>();
   force_ = builder.signal("touch.force", "N", "Sum of the normal forces between the two.");
@@ -9,7 +9,7 @@ void @NAME@::build(const @NAME@Params&, Builder& builder) {
   ended_ = builder.event("touch.ended", "They touch no more.");
 }
 
-// [rt] the contacts are known and not yet solved: here their law may be changed
+// [rt] Called when the contacts are found and not yet solved: sets the law of each.
 void @NAME@::resolve(const swage::CouplingStep& step) {
   for (swage_contact& contact : step.contacts()) {
     contact.friction = params().friction;
@@ -17,7 +17,7 @@ void @NAME@::resolve(const swage::CouplingStep& step) {
   }
 }
 
-// [rt] the contacts are solved: their forces are known
+// [rt] Called when the contacts are solved and their forces known.
 void @NAME@::finish(const swage::CouplingStep& step) {
   double force = 0;
   for (const swage_contact& contact : step.contacts()) {
@@ -33,7 +33,7 @@ void @NAME@::finish(const swage::CouplingStep& step) {
   state.touching = touching ? 1 : 0;
 }
 
-// [rt] before the first step and whenever the trainee starts again
+// [rt] Called before the first step and at each restart of the attempt.
 void @NAME@::reset(const swage::CouplingStep& step) { step.state<State>().touching = 0; }
 
 SWAGE_EXPORT(@NAME@)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// @ID@: a law of contact between two solids that also tells when they touch.
+// @ID@: a contact law between two solids that also reports when they begin and cease to touch.
 #pragma once
 
 #include <swage/coupling.hpp>
 
 struct @NAME@Params {
   double friction = 0.4;     // Coulomb coefficient
-  double stiffness = 500;    // N/m
+  double stiffness = 500;    // N/m, normal, of the surfaces
 };
 
 class @NAME@ final : public swage::Coupling<@NAME@Params> {
@@ -19,7 +19,7 @@ class @NAME@ final : public swage::Coupling<@NAME@Params> {
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";
 
-  // what the two objects must offer; and that the host finds their contacts for the solver
+  // traits that the two objects must offer; detects: the host finds their contacts for the solver
   static constexpr std::array needs_a = {SWAGE_TRAIT_SOLID};
   static constexpr std::array needs_b = {SWAGE_TRAIT_SOLID};
   static constexpr bool detects = true;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-// [main] reach for the hardware here; refuse("...") says why it is not there
+// [main] The place to open hardware; refuse("...") reports why that failed.
 void @NAME@::open() { sequence_ = 0; }
 
-// [rt] because LOCKSTEP, else [io]. Device frame: +x right, +y up, +z towards the user, metres
+// [rt] with LOCKSTEP, otherwise [io]. Device frame: +x right, +y up, +z towards the user, metres.
 void @NAME@::exchange(const swage_command& command, swage_sample& sample) {
   const double turn = 2 * std::numbers::pi / params().period;  // rad/s
   const double angle = turn * command.time_s, r = params().radius;

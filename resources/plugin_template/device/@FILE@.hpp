@@ -19,8 +19,8 @@ class @NAME@ final : public swage::Device<@NAME@Params> {
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";
 
-  // LOCKSTEP: asked in the step itself, so every run is the same to the bit. A driver of real hardware leaves the flag out
-  // and is asked on a thread of its own, where it may wait for its port; one that takes forces adds SWAGE_DEVICE_FORCE.
+  // LOCKSTEP: exchange() is called in the step itself, so every run is the same to the bit. A driver of real hardware leaves the
+  // flag out and is called on a thread of its own, where it may wait for its port; one that takes forces adds SWAGE_DEVICE_FORCE.
   static constexpr swage::DeviceCard card = {.flags = SWAGE_DEVICE_LOCKSTEP, .rate_hz = 1000};
 
   static constexpr std::array fields = {

@@ -10,11 +10,11 @@
 using Step = swage::Step;
 
 namespace {
-constexpr int kIterations = 3;       // Newton's, of a step in which nothing touches
-constexpr double kMostStrain = 0.05;  // that going on may add to what is held: more, and it stays for a step
+constexpr int kIterations = 3;       // Newton iterations of a step without contacts
+constexpr double kMostStrain = 0.05;  // change of strain in a step up to which a pushed strand continues; above it, it stops for a step
 }  // namespace
 
-// [main] one body of its own, one chain on it, and the private numbers: the chain's come first
+// [main] Declares one flexible body, one chain on it, and the private numbers, of which the chain's come first.
 void @NAME@::build(const P& p, Builder& builder) {
   n_ = static_cast<size_t>(p.segments) + 1;
   piece_ = p.length / p.segments;
@@ -37,7 +37,7 @@ void @NAME@::build(const P& p, Builder& builder) {
   for (auto* numbers : {&x0_, &v0_, &base_}) numbers->resize(3 * n_);
 }
 
-// [rt] the host has put the chain where it was declared, at rest
+// [rt] The host has put the chain back to its declared positions, at rest.
 void @NAME@::reset(const Step& step) { held(step) = 0; }
 
 void @NAME@::finish(const Step& step) {
@@ -47,8 +47,8 @@ void @NAME@::finish(const Step& step) {
   step.signal(elongation_, length / params().length - 1);
 }
 
-// [rt] where it goes by itself. What was held in the last step is best expected to go on as it went: contacts are looked for
-// there, and what springs away from the jaws that hold it would not be found between them
+// [rt] Free motion. After a step in which contacts pushed, the strand continues at its velocity instead: the host finds contacts at
+// the positions written here, and a strand that its tension drew out of the jaws would not be found between them.
 void @NAME@::advance(const Step& step) {
   const swage::ChainState c = chain(step);
   std::copy(c.p_W.begin(), c.p_W.end(), x0_.begin());
@@ -79,7 +79,7 @@ bool @NAME@::goes_on(const Step& step) const {
   return true;
 }
 
-// [rt] one implicit step of length h from x0, linear about x: A q + gradient = forces of contacts, with
+// [rt] Linearises one implicit step of length h from x0 at x: A q + gradient = forces of contacts, with
 //   A = M (1/h^2 + c/h) + K      gradient = M ((x - x0 - h v0)/h^2 + c (x - x0)/h - g) + dE/dx
 void @NAME@::set_up(const Step& step, const double* x) {
   const double h = step.dt(), c = params().damping;
@@ -98,7 +98,7 @@ void @NAME@::set_up(const Step& step, const double* x) {
     if (stays(k)) A_.hold(static_cast<int>(k)), gradient_[k] = 0;
 }
 
-// A spring. Pressed together it keeps no stiffness across itself: then the matrix is positive definite, whatever its shape
+// Adds a spring. Its negative transverse stiffness under compression is left out, so that A is positive definite in any shape.
 void @NAME@::add_segment(size_t j, const double* x) {
   const Vec3 e = swage::vec(x, j + 1) - swage::vec(x, j);
   const double length = std::max(e.norm(), 1e-6 * piece_), tension = stretch_ * (length - piece_);
@@ -110,7 +110,7 @@ void @NAME@::add_segment(size_t j, const double* x) {
   add_square(j, j, K), add_square(j + 1, j + 1, K), add_square(j + 1, j, -K);
 }
 
-// Bending costs bend/2 |a - 2 b + c|^2 of three neighbours: good to a tenth while a joint bends by less than a radian
+// Adds the bending energy bend/2 |a - 2 b + c|^2 of three neighbours: within a tenth while a joint bends by less than 1 rad.
 void @NAME@::add_joint(size_t i, const double* x) {
   constexpr double w[3] = {1, -2, 1};
   const Vec3 bow = swage::vec(x, i - 1) - 2 * swage::vec(x, i) + swage::vec(x, i + 1);
@@ -120,21 +120,21 @@ void @NAME@::add_joint(size_t i, const double* x) {
   }
 }
 
-// Into the lower half: i >= j
+// Adds a 3 x 3 block to the lower half of A: i >= j.
 void @NAME@::add_square(size_t i, size_t j, const Eigen::Matrix3d& K) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < (i == j ? r + 1 : 3); ++c)
       A_.at(static_cast<int>(kOf * i) + r, static_cast<int>(kOf * j) + c) += K(r, c);
 }
 
-// right = A^-1 right; what stays takes no force
+// right = A^-1 right; the unknowns that are held stay 0.
 void @NAME@::solve(double* right) {
   for (size_t k = 0; k < kOf * n_; ++k)
     if (stays(k)) right[k] = 0;
   A_.solve(right);
 }
 
-// To `from` + change, with the speeds that lead there
+// Moves the vertices to `from` + change, with the velocities that lead there from x0.
 void @NAME@::go(const Step& step, const double* from, const double* change) const {
   const swage::ChainState c = chain(step);
   for (size_t i = 0; i < n_; ++i)
@@ -145,7 +145,7 @@ void @NAME@::go(const Step& step, const double* from, const double* change) cons
     }
 }
 
-// [rt] the host solves A q + gradient = forces with everything that touches. What stays has 0 on the diagonal
+// [rt] The host solves A q + gradient = forces together with all bodies in contact. A held unknown has 0 on the diagonal.
 void @NAME@::linearise(const Step& step, uint32_t, double* stiffness, double* gradient) {
   set_up(step, base_.data());
   std::copy_n(A_.column(0), kOf * n_ * Matrix::kStride, stiffness);
@@ -161,9 +161,9 @@ void @NAME@::displace(const Step& step, const double* change, std::span<const sw
     if (impulse[i] != 0) held(step) = 1;
 }
 
-// --- the same for a host that knows no bands: v = v_free + W j of points on the chain
+// --- the same for a host without the band extension: v = v_free + W j of points on the chain
 
-// Between two vertices, with the weights of a place
+// Interpolates numbers of two vertices with the weights of a place.
 @NAME@::Vec3 @NAME@::at(const swage_chain_place& p, const double* numbers, size_t per_vertex) {
   const double* a = numbers + per_vertex * p.segment;
   return (1 - p.share) * swage::vec(a) + p.share * swage::vec(a + per_vertex);

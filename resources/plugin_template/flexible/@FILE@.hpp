@@ -15,9 +15,9 @@ struct @NAME@Params {
   double diameter = 0.8e-3;  // m
   double modulus = 1e6;      // Pa, of silicone rubber
   double density = 1100;     // kg/m3
-  double damping = 30;       // 1/s, at which a speed dies away
+  double damping = 30;       // 1/s, decay rate of velocities
   int segments = 30;
-  bool fixed = true;  // its first end
+  bool fixed = true;  // the first end is held
 };
 
 class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Solid {
@@ -44,12 +44,12 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
   void reset(const swage::Step& step) override;
   void finish(const swage::Step& step) override;
 
-  // own mechanics, in the order in which the host calls
+  // its mechanics, in the order of the host's calls
   void advance(const swage::Step& step) override;
   void linearise(const swage::Step& step, uint32_t stiffer, double* stiffness, double* gradient) override;
   void displace(const swage::Step& step, const double* change, std::span<const swage_contact_point> points,
                 std::span<const swage_chain_place> place, const double* impulse) override;
-  // the same by points, for a host that knows no bands
+  // the same for single points, for a host without the band extension
   void mobility(const swage::Step& step, std::span<const swage_contact_point> points,
                   std::span<const swage_chain_place> place, double* v_free, double* W) override;
   void apply_impulses(const swage::Step& step, std::span<const swage_contact_point> points,
@@ -62,7 +62,7 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
 
   swage::ChainState chain(const swage::Step& step) const { return step.chain(0, vertices()); }
   uint32_t vertices() const { return static_cast<uint32_t>(n_); }
-  /// Whether contacts pushed in the last step: the one private number beside the chain.
+  /// 1 when contacts or ties pushed in the last step, else 0: the one private number beside the chain.
   double& held(const swage::Step& step) const { return step.state()[8 * n_]; }
   double mass(size_t i) const { return i == 0 || i == n_ - 1 ? 0.5 * mass_ : mass_; }
   bool stays(size_t unknown) const { return unknown % kOf == 3 || (unknown < kOf && params().fixed); }
@@ -78,13 +78,13 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
   static void push(const swage_chain_place& p, const Vec3& force, double* unknowns);
 
   size_t n_ = 0;                          // vertices
-  double piece_ = 0, mass_ = 0;           // m, unloaded; kg; of a segment
-  double stretch_ = 0, bend_ = 0;         // N/m, of a segment; of a joint
+  double piece_ = 0, mass_ = 0;           // m, unloaded length of a segment; kg, its mass
+  double stretch_ = 0, bend_ = 0;         // N/m, stiffness of a segment; of a joint
   swage::Body body_;
   swage::Signal elongation_;
 
-  // of one step, found again in the next
+  // work space of one step, computed anew in the next
   Matrix A_;
   std::vector<double> gradient_, right_;  // of all unknowns
-  std::vector<double> x0_, v0_, base_;    // where it began and how fast; where advance() has left it
+  std::vector<double> x0_, v0_, base_;    // m and m/s, start of the step; m, after advance()
 };

@@ -16,7 +16,7 @@ void check(bool good, const char* what) {
 
 using Bench = swage::testbed::ObjectBench<@NAME@>;
 
-// straight along x, as the host puts it; n: vertices
+// Puts the chain straight along x, as the host does; n: vertices.
 bool start(Bench& bench, size_t n, double length) {
   if (!bench.start(1e-3)) return false;
   for (size_t i = 0; i < n; ++i) bench.state[3 * i] = length * static_cast<double>(i) / static_cast<double>(n - 1);
@@ -29,7 +29,7 @@ void run(Bench& bench, int steps) {
 }
 
 int main() {
-  // free and undamped it falls as everything does
+  // free and undamped, it falls with g
   Bench falls;
   falls.set("fixed", 0);
   falls.set("damping", 0);
@@ -38,7 +38,7 @@ int main() {
   run(falls, 100);
   check(std::abs(falls.state[3 * 31 + 2] + 0.981) < 1e-9, "9.81 m/s2 for 0.1 s");
 
-  // hung up it is longer by rho g l / 2 E; so soft that this can be seen
+  // hanging, it is longer by the share rho g l / 2 E; a soft material makes that measurable
   Bench hangs;
   hangs.set("modulus", 1e5);
   check(start(hangs, 31, 30e-3), "it starts");
@@ -49,7 +49,7 @@ int main() {
   check(std::abs(hangs.signal[0] - exact) < 0.002 * exact, "its own weight stretches it");
   check(hangs.state[0] == 0, "the fixed end stays");
 
-  // a band: what mobility() says of a place is what linearise() leads to. `swage validate` asks for the rest
+  // the extension is offered; `swage validate` tests that mobility() and linearise() agree
   check(hangs.get<swage_band>(SWAGE_EXT_BAND) != nullptr, "it is a band");
   check(hangs.content() && falls.content(), "nothing was reported");
   return failures == 0 ? 0 : 1;

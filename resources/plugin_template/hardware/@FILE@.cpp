@@ -14,9 +14,9 @@
 
 namespace {
 
-constexpr double kRetry = 0.25;  // s between two tries to reach a port that went away
+constexpr double kRetry = 0.25;  // s between two attempts to open a port that was unplugged
 
-// samples of live devices are stamped with this clock
+// Time on the host's monotonic clock, which stamps the samples of devices that are not LOCKSTEP.
 double now_s() {
   timespec t{};
   clock_gettime(CLOCK_MONOTONIC, &t);
@@ -42,7 +42,7 @@ bool @NAME@::connect() {
   return true;
 }
 
-// [main] reach for the hardware here, and say what is missing and what to do about it
+// [main] Opens the hardware; refuse() says what is missing and what to do about it.
 void @NAME@::open() {
   if (!connect()) refuse("The port " + params().port + " cannot be opened: " + std::strerror(errno) + ". Set \"port\" to the tracker's.");
 }
@@ -52,7 +52,7 @@ void @NAME@::close() {
   file_ = -1;
 }
 
-// [io] Never waits: takes what has come. Without something new the sample stays as it was, and the host tells how old it is
+// [io] Reads what has arrived and never waits. Without a new measurement `sample` stays as it is; the host knows its age.
 void @NAME@::exchange(const swage_command&, swage_sample& sample) {
   if (file_ < 0 && (now_s() - tried_s_ < kRetry || !connect())) return;
   if (!hear(sample)) return;
@@ -61,7 +61,7 @@ void @NAME@::exchange(const swage_command&, swage_sample& sample) {
   sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;  // what was measured, nothing else
 }
 
-// True when a whole measurement came; the newest counts.
+// Reads what has arrived into `sample`; true when a whole measurement came. The newest counts.
 bool @NAME@::hear(swage_sample& sample) {
   bool any = false;
   for (;;) {
@@ -83,12 +83,12 @@ bool @NAME@::hear(swage_sample& sample) {
   }
 }
 
-// A line that is not understood changes nothing. Device frame: +x right, +y up, +z towards the user, metres
+// Parses a line; a malformed one leaves `sample` unchanged. Device frame: +x right, +y up, +z towards the user, metres.
 bool @NAME@::take(const char* begin, const char* end, swage_sample& sample) const {
   std::array<double, 4> value{};
   for (double& v : value) {
     while (begin != end && *begin == ' ') ++begin;
-    const auto [rest, error] = std::from_chars(begin, end, v);  // knows no locale
+    const auto [rest, error] = std::from_chars(begin, end, v);  // independent of the locale
     if (error != std::errc{} || !std::isfinite(v)) return false;
     begin = rest;
   }

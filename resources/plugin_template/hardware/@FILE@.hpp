@@ -22,7 +22,7 @@ class @NAME@ final : public swage::Device<@NAME@Params> {
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";
 
-  // not LOCKSTEP: asked on a thread of its own, 500 times a second, for what has come meanwhile
+  // not LOCKSTEP: exchange() is called 500 times a second on a thread of its own
   static constexpr swage::DeviceCard card = {.rate_hz = 500};
 
   static constexpr std::array fields = {
@@ -39,7 +39,7 @@ class @NAME@ final : public swage::Device<@NAME@Params> {
   bool take(const char* begin, const char* end, swage_sample& sample) const;
 
   int file_ = -1;
-  double tried_s_ = 0;             // when the port was last reached for
-  std::array<char, 256> heard_{};  // a line that has not ended yet
+  double tried_s_ = 0;             // monotonic clock at the last attempt to open the port
+  std::array<char, 256> heard_{};  // characters of a line whose end has not arrived
   std::size_t n_heard_ = 0;
 };

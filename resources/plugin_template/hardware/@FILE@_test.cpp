@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The driver against a fake of its hardware: the other end of a pseudo terminal.
+// Tests the driver against a fake of its hardware: the other end of a pseudo terminal.
 #include "@FILE@.hpp"
 
 #include <swage/testbed.hpp>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-// [main] everything the lesson will ever say. Ids are meanings; the console gives them colours, shapes and sounds
+// [main] Declares all outputs of the lesson. Ids are meanings; the console gives them colours, shapes and sounds.
 void @NAME@::build(const @NAME@Params&, Builder& builder) {
   builder.state<State>();
   time_ = builder.metric("time.task", "s", "Time until the object had stayed at the target.");
@@ -17,7 +17,7 @@ void @NAME@::build(const @NAME@Params&, Builder& builder) {
   hold_ = builder.phase("hold", "Keep it there.");
 }
 
-// [main] find what to watch; tell all that is missing
+// [main] Finds the object to watch; reports one that is missing.
 void @NAME@::bind(const swage::Scene& scene, swage::Binder& binder) {
   object_ = scene.find_object(params().object);
   if (object_ == swage::kNone) return binder.error("There is no object \"" + params().object + "\" in the scene.");
@@ -26,7 +26,7 @@ void @NAME@::bind(const swage::Scene& scene, swage::Binder& binder) {
   target_ = binder.mark_point(params().target, params().tolerance, "target.point");
 }
 
-// [rt] look at one step; say what it means
+// [rt] Observes one step and judges it.
 void @NAME@::observe(const swage::View& view, const swage::Verdict& verdict, std::span<double> state) {
   State& mine = as<State>(state);
   const double distance = (swage::vec(view.pose(body_).p) - swage::vec(params().target)).norm();
@@ -43,7 +43,7 @@ void @NAME@::observe(const swage::View& view, const swage::Verdict& verdict, std
   if (view.time() > params().max_time) verdict.fail(late_);
 }
 
-// [rt] before the first step and whenever the trainee starts again
+// [rt] Called before the first step and at each restart of the attempt.
 void @NAME@::reset(std::span<double> state) { as<State>(state) = {0, 1e3}; }
 
 SWAGE_EXPORT(@NAME@)

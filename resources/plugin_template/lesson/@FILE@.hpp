@@ -30,7 +30,7 @@ class @NAME@ final : public swage::Lesson<@NAME@Params> {
       swage::real<&@NAME@Params::max_time>("max_time", "Time limit", "s", "s", 1, 36000, "The attempt fails after it."),
   };
 
-  // what its cues tell: a role gives an id that no theme knows its colour, shape and sound
+  // the cues; where the console's theme does not know an id, the role gives colour, shape and sound
   static constexpr swage_cue_info cues[] = {
       {"reach.there", "The object is at the target.", SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | SWAGE_CHANNEL_SOUND, SWAGE_CUE_GOOD},
       {"reach.away", "The object is away from the target.", SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE, SWAGE_CUE_TARGET},

@@ -3,7 +3,7 @@
 
 #include <swage/eigen.hpp>
 
-// [main] everything the object will ever own
+// [main] Declares everything that the object uses while the scene runs.
 void @NAME@::build(const @NAME@Params& params, Builder& builder) {
   const double inertia = 0.4 * params.mass * params.radius * params.radius;  // solid sphere, kg m2
   ball_ = builder.dynamic_body("ball", {params.mass, {inertia, inertia, inertia}});
@@ -12,8 +12,8 @@ void @NAME@::build(const @NAME@Params& params, Builder& builder) {
   stretch_ = builder.signal("spring.stretch", "m", "Distance from the rest place.");
 }
 
-// [rt] the host adds gravity and contacts itself. The spring counts where the step ends, f = -k (x + h v') - c v' with
-// v' = v + h f / m: so it stays calm however stiff it is and however light the ball
+// [rt] Adds the force of the spring; the host adds gravity and contacts. The force is implicit, taken at the end of the step:
+// f = -k (x + h v') - c v' with v' = v + h f / m. It is stable for any stiffness and any mass.
 void @NAME@::forces(const swage::Step& step) {
   const double h = step.dt(), c = params().damping + h * params().stiffness;
   const Eigen::Vector3d x = swage::vec(step.pose(ball_).p) - swage::vec(step.state<State>().rest);
@@ -22,12 +22,12 @@ void @NAME@::forces(const swage::Step& step) {
   step.add_force(ball_, swage::abi(f));
 }
 
-// [rt] after the host has moved the ball
+// [rt] Called after the host has moved the ball.
 void @NAME@::finish(const swage::Step& step) {
   step.signal(stretch_, (swage::vec(step.pose(ball_).p) - swage::vec(step.state<State>().rest)).norm());
 }
 
-// [rt] before the first step and whenever the trainee starts again; the ball is back at its start
+// [rt] Called before the first step and at each restart of the attempt; the ball is at its start.
 void @NAME@::reset(const swage::Step& step) { step.state<State>().rest = step.pose(ball_).p; }
 
 SWAGE_EXPORT(@NAME@)

@@ -37,7 +37,7 @@ class @NAME@ final : public swage::Object<@NAME@Params>, public swage::Solid {
  private:
   // private numbers of the instance: doubles that the host keeps, saves and restores
   struct State {
-    swage_vec3 rest;  // m, in the world: where the spring does not pull
+    swage_vec3 rest;  // m, in W: position at which the spring is without force
   };
 
   swage::Body ball_;

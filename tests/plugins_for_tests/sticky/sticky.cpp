@@ -12,6 +12,13 @@ const void* Pad::extension(std::string_view wanted) {
   return wanted == STICKY_TRAIT ? &table : nullptr;
 }
 
+// [rt] in the frame of the pad, so that it goes with it
+void Pad::draw(const Step&, Visuals& out) {
+  out.on(pad_);
+  out.disc({0, 0, kRadius}, {0, 0, 1}, 0.2 * kRadius);  // where to hold it
+  out.line({0, 0, kRadius}, {0, 0, 2 * kRadius}, 0);    // radius 0: as thin as can be seen
+}
+
 // the other side knows the trait and not the class
 void Peel::bind(const Peer&, const Peer& b) {
   pad_ = b;

@@ -20,7 +20,7 @@ struct PadParams {
   double strength = 2e3;  // Pa
 };
 
-class Pad final : public Object<PadParams>, public Solid {
+class Pad final : public Object<PadParams>, public Solid, public Drawing {
  public:
   static constexpr auto id = "test.object.pad", version = "1.0.0", name = "Sticky pad",
                         summary = "A fixed pad that sticks less when it is warm.", author = "Swage", licence = "Apache-2.0";
@@ -28,12 +28,20 @@ class Pad final : public Object<PadParams>, public Solid {
       real<&PadParams::strength>("strength", "Strength", "Pa", "kPa", 0, 1e6, "At 293 K.")};
   static constexpr std::array traits{STICKY_TRAIT};
 
-  void build(const PadParams&, Builder& b) override { b.sphere(b.fixed_body("pad"), {0, 0, 0}, 1e-3); }
+  void build(const PadParams&, Builder& b) override {
+    pad_ = b.fixed_body("pad");
+    b.sphere(pad_, {0, 0, 0}, kRadius);
+  }
+  void draw(const Step& step, Visuals& out) override;
 
   double strength(double temperature) const { return params().strength * 293 / temperature; }
 
  protected:
   const void* extension(std::string_view wanted) override;
+
+ private:
+  static constexpr double kRadius = 1e-3;  // m
+  Body pad_;
 };
 
 class Peel final : public Coupling<> {

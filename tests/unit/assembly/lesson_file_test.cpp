@@ -89,6 +89,7 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
 TEST(LessonFile, ReadsEverything) {
   const Read r(R"({
     "format": "swage-lesson/1", "id": "org.example.l", "title": "Title", "summary": "Summary.",
+    "reset": {"label": "Neu knüpfen und legen 24", "tip": "Tip."},
     "x-note": {"anything": ["goes"]},
     "seed": 18446744073709551615, "rate_hz": "2000 Hz", "scene_length": "2 mm",
     "gravity": ["0 m/s2", 0, -1.6], "max_time": "90 s", "requires": {"p.q": "^1.2"},
@@ -108,6 +109,8 @@ TEST(LessonFile, ReadsEverything) {
   const LessonFile& f = r.file;
   EXPECT_EQ(f.seed, 18446744073709551615u);
   EXPECT_EQ(f.rate_hz, 2000);
+  EXPECT_EQ(f.reset_label, "Neu knüpfen und legen 24") << "24 characters, not bytes";
+  EXPECT_EQ(f.reset_tip, "Tip.");
   EXPECT_EQ(f.scene_length, 2e-3);
   EXPECT_EQ(f.gravity.z, -1.6);
   EXPECT_EQ(f.max_time_s, 90);
@@ -200,6 +203,19 @@ TEST(LessonFile, AMissingFileIsSaid) {
   EXPECT_EQ(problems[0].where, "/there/is/none.json");
   EXPECT_EQ(problems[0].message, say::kNoFile());
   EXPECT_FALSE(assembly::read_lesson_file("/tmp", file, problems)) << "a folder is no file";
+}
+
+TEST(LessonFile, TheWordsOfItsResetFitAButton) {
+  const auto said = [](const std::string& reset) {
+    const Read r(R"({"format": "swage-lesson/1", "id": "org.example.l", "title": "T", "reset": )" + reset +
+                 R"(, "objects": [], "lesson": {"plugin": "p.l"}})");
+    return r.said.empty() ? std::string() : r.said.front();
+  };
+  EXPECT_EQ(said(R"({"label": "Lay anew"})"), "");
+  EXPECT_THAT(said(R"({"label": "Lay the whole thread anew"})"), HasSubstr(say::kLongLabel(24)));
+  EXPECT_THAT(said(R"({"tip": "Lays it anew"})"), HasSubstr(say::kMissing("label")));
+  EXPECT_THAT(said(R"({"label": "Lay anew", "text": "x"})"), HasSubstr("text"));
+  EXPECT_THAT(said(R"("Lay anew")"), HasSubstr("the reset of a lesson"));
 }
 
 TEST(LessonFile, MirrorModeAndCues) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sparse system of threads and bodies against a dense one.
+// The sparse system of threads and bodies compared with a dense one.
 #include "dynamics/banded_blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
     }
 }
 
-// on machines without registers of four it compares twos with twos
+// on machines without registers for four numbers the two-number variant is compared with itself
 TEST(BandedBlocks, HaveTheSameBitsAtEveryWidthOfRegisters) {
   for (const bool symmetric : {true, false}) {
     Knot k(30, 60, symmetric, 7), by_twos(30, 60, symmetric, 7);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Threads that are bands in the solve go as threads that answer with the mobility of their points: alone, with each other, with
-// bodies, and one of each.
+// Threads solved as bands move like threads solved by the mobility of their points: alone, in contact with each other and with
+// bodies, and one of each kind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<Vec3> line(const Vec3& middle, const Vec3& along, double bow) {
   return p;
 }
 
-/// A ball of 40 ug lies on two threads that are held at their ends; two round posts rise below and go along them.
+/// A ball of 40 ug lies on two threads that are held at their ends; two round posts rise below and move along them.
 struct Heap {
   Heap(bool first_as_band, bool second_as_band) : world(make()) {
     const auto section = toolkit::RodSection::round(2 * kRadius, 2.5e9, 0.39, 1140);
@@ -76,7 +76,7 @@ struct Heap {
     dynamics->solve(world, contacts, self);
     dynamics->finish(world);
   }
-  /// Stands as another does.
+  /// Copies the state of another heap.
   void take(Heap& other) {
     world = other.world;
     contacts = other.contacts;
@@ -95,7 +95,7 @@ struct Heap {
   contact::ContactSet contacts;
 };
 
-/// How far two heaps are apart [m].
+/// Distance between the states of two heaps [m].
 double apart(Heap& x, Heap& y) {
   double most = (toolkit::vec(x.world.X_WB.back().p) - toolkit::vec(y.world.X_WB.back().p)).norm();
   for (int i = 0; i <= kPieces; ++i) {
@@ -105,7 +105,7 @@ double apart(Heap& x, Heap& y) {
   return most;
 }
 
-/// From the same state, step by step; where Newton stalls there may be several ends.
+/// Compared step by step from the same state. Where Newton stalls there may be several solutions: a few steps may differ more.
 TEST(BandedBody, GoesAsItsComplianceDoes) {
   Heap dense(false, false), bands(true, true), mixed(true, false);
   uint32_t alike = 0, same = 0, slid = 0;
@@ -201,7 +201,7 @@ TEST(BandedBody, TiedToABodyLosesNoMomentum) {
   for (Towed* t : {&points, &forces, &sparse}) EXPECT_EQ(t->dynamics->stats().health.not_converged, 0u);
 }
 
-// Whichever end it is eliminated from: the same columns, wherever they are asked for, and the same way without contacts
+// Elimination from either end gives the same columns, for any requested range, and the same motion without contacts.
 TEST(BandedBody, IsTheSameFromEitherEnd) {
   scene::World w;
   w.gravity = {0, 0, -9.80665};
@@ -219,7 +219,7 @@ TEST(BandedBody, IsTheSameFromEitherEnd) {
   double largest = 0;
   for (const double x : a) largest = std::max(largest, std::abs(x));
   for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-9 * largest) << i;
-  // wider ranges later: what is known of a column is added to
+  // a wider range later extends the known part of a column
   for (const auto& [least, most] : {std::pair{2u, 3u}, {1u, 9u}, {0u, uint32_t{kPieces}}})
     for (const uint32_t vertex : {least, most}) {
       const double *p = from_first.column(vertex, least, most), *q = from_last.column(vertex, least, most);

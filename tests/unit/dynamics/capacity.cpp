@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What happens where a scene has more contacts than there is room for: the deepest contacts, and those that bore force in the
-// last step, are solved; the rest is counted. No island loses all its forces, and none reads the forces of another.
+// Scenes with more contacts than the capacity: the deepest contacts, and those with a force in the
+// last step, are solved; the others are counted. No island loses all its forces, and none reads the forces of another.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -18,7 +18,7 @@ constexpr double kLarge = 1e-3, kSmall = 20e-6;  // m, radii
 constexpr double kStiffness = 1e6;               // N/m
 constexpr double kMass = 4e-7;                   // kg
 
-/// A ball that answers for its contact points as a free body does that cannot turn.
+/// A ball whose mobility at its contact points is that of a free body that cannot rotate.
 class Ball : public FlexibleBody {
  public:
   explicit Ball(uint32_t object) : object_(object) {}
@@ -45,7 +45,7 @@ class Ball : public FlexibleBody {
   uint32_t object_;
 };
 
-/// Two balls with mechanics of their own that touch each other, each between so many pairs of fixed balls that press from
+/// Two flexible balls that touch each other, each between so many pairs of fixed balls that press from
 /// opposite sides; and, apart from them, a rigid ball on a fixed one.
 struct Crowd {
   explicit Crowd(uint32_t pairs_each) : ball{Ball(0), Ball(1)} {
@@ -126,13 +126,13 @@ TEST(Capacity, AnIslandBeyondItKeepsItsDeepestContacts) {
   EXPECT_EQ(health.total(), 13u);
 }
 
-// contacts that bear force keep their room when others come that are deeper
+// contacts with a force keep their place when deeper ones appear
 TEST(Capacity, WhatBearsForceStays) {
   Crowd crowd(35);
   crowd.step();
   std::vector<bool> bore;
   for (const contact::Contact& c : crowd.contacts.contact) bore.push_back(!c.f_a_W.isZero(0));
-  // those that were left out are pressed in deeper than all others
+  // the contacts that were left out become deeper than all others
   for (size_t i = 0; i < bore.size(); ++i) {
     const contact::Contact& c = crowd.contacts.contact[i];
     if (bore[i] || crowd.is_apart(c)) continue;
@@ -143,7 +143,7 @@ TEST(Capacity, WhatBearsForceStays) {
   ASSERT_EQ(crowd.contacts.contact.size(), bore.size());
   for (size_t i = 0; i < bore.size(); ++i) {
     const contact::Contact& c = crowd.contacts.contact[i];
-    if (crowd.is_apart(c)) continue;  // has flown off
+    if (crowd.is_apart(c)) continue;  // no longer in contact
     EXPECT_EQ(!c.f_a_W.isZero(0), bore[i]) << i;
   }
 }
@@ -158,7 +158,7 @@ TEST(Capacity, WithRoomForAllNothingIsCounted) {
   EXPECT_EQ(crowd.dynamics->stats().health.total(), 0u);
 }
 
-// contacts beyond the points of a flexible body are solved at the nearest point: their force reaches it whole
+// contacts beyond the points of a flexible body are solved at the nearest point: their whole force is applied
 TEST(Capacity, ContactsBeyondThePointsShareThem) {
   Crowd crowd(60);  // 120 contacts of each ball
   crowd.world.capacity.rows = 256;
@@ -183,7 +183,7 @@ TEST(Capacity, WhoDoesNotAnswerIsCounted) {
   EXPECT_EQ(crowd.dynamics->stats().health.steps, 1u);
 }
 
-// past the budget every island keeps forces, the same in every run
+// beyond the budget every island keeps forces, the same in every run
 TEST(Capacity, PastTheBudgetForcesStay) {
   Crowd once(10), again(10);
   for (Crowd* crowd : {&once, &again}) {

@@ -30,7 +30,7 @@ std::vector<Vec3> wire(double wave) {
   return p;
 }
 
-/// The same wire as capsules on one body.
+/// The same wire as separate capsules on one body.
 void add_capsules(scene::World& w, const std::vector<Vec3>& p) {
   const uint32_t body = add_body(w, SWAGE_MOTION_FLEXIBLE, 0, Vec3::Zero());
   for (size_t i = 0; i + 1 < p.size(); ++i) {
@@ -57,7 +57,7 @@ scene::World between_rollers(double wave, bool chain) {
   return w;
 }
 
-/// How far the wire has come per piece that passes, once it has taken up the load [m].
+/// Displacement of the wire per piece that passes, once it carries the load [m].
 double way_per_piece(double wave, bool chain, double load) {
   scene::World w = between_rollers(wave, chain);
   SlidingChain slider(w, 0, 0, chain ? 0 : scene::kNone, kMass, {kSpeed, 0, 0}, {-load, 0, 0});
@@ -88,7 +88,7 @@ double way_per_piece(double wave, bool chain, double load) {
   return (slider.x().x() - x_loaded) / (steps * w.dt * kSpeed / kPiece);
 }
 
-/// How far the load holds it back. Without one, too, it falls 6.7 nm a piece behind the rollers, which turn by 0.02 rad a step.
+/// Lag caused by the load [m]. Without load the wire lags, too, by 6.7 nm per piece, as the rollers turn by 0.02 rad per step.
 double creep_per_piece(double wave, bool chain) {
   return std::abs(way_per_piece(wave, chain, kLoad) - way_per_piece(wave, chain, 0));
 }
@@ -112,7 +112,7 @@ std::vector<Vec3> along(double z, double phase) {
   return p;
 }
 
-/// Shoots a wire upwards, and what `add` adds downwards or nowhere; true when it has passed through.
+/// Shoots a wire upwards, and the obstacle of `add` downwards or not at all; true when the wire has passed through.
 struct Shot {
   double speed = 0, share = 0.5, phase = 0;  // m/s relative; share of the wire's own
 };
@@ -149,7 +149,7 @@ TEST(Chain, NoThreadPassesThroughAThread) {
         EXPECT_FALSE(thread_passes_thread({speed, share, 0.37 * k})) << speed << " m/s, share " << share << ", " << k;
 }
 
-/// Against a plate 0.1 mm thick or a needle's arc, that moves as well.
+/// Against a plate 0.1 mm thick or a needle's arc, which may move as well.
 bool thread_passes(int kind, const Shot& shot) {
   scene::World w;
   w.gravity = {0, 0, 0};

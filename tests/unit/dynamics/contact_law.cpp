@@ -42,7 +42,7 @@ TEST(ContactLaw, NoFrictionHasNoTangentialStiffness) {
   EXPECT_EQ(t.t11, 0);
 }
 
-// on its own range each piece is Coulomb's law
+// each piece equals Coulomb's law on its own range
 TEST(ContactLaw, PiecesAreTheLaw) {
   for (const Displacement& u :
        {Displacement{1e-7, 1e-6, 0}, Displacement{-1e-6, 0.1e-6, 0.2e-6}, Displacement{-1e-6, 2e-6, -1e-6}}) {
@@ -53,7 +53,7 @@ TEST(ContactLaw, PiecesAreTheLaw) {
   }
 }
 
-// a hair before the kink the old piece holds, a hair behind it the new one
+// just before a kink the old piece is active, just behind it the new one
 TEST(ContactLaw, KinksAreWhereThePieceEnds) {
   base::Xoshiro256 rng(5);
   int seen[3][3] = {};
@@ -72,7 +72,7 @@ TEST(ContactLaw, KinksAreWhereThePieceEnds) {
     EXPECT_EQ(piece(kSteel, at(k.t * 1.000001)), k.next) << i;
     ++seen[static_cast<int>(from)][static_cast<int>(k.next)];
   }
-  EXPECT_GT(seen[0][2], 100);  // what comes to touch with a stretched bristle slips
+  EXPECT_GT(seen[0][2], 100);  // a new contact with a stretched bristle slips
   EXPECT_GT(seen[1][2], 20);
   EXPECT_GT(seen[2][1], 20);
   EXPECT_GT(seen[2][0], 100);

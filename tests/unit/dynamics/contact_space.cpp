@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island solved for its forces ends where it ends solved for its displacements; and a flexible body that answers as a rigid
-// body does moves as one.
+// An island solved for its forces and solved for its displacements has the same solution; and a flexible body with the mobility of a
+// rigid body moves like one.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -16,10 +16,10 @@
 namespace swage::dynamics {
 namespace contact_space_test {
 
-// What rounding leaves alike: stiffness times compliance, 1e6 N/m of 5 m/N, of the last bit.
+// Tolerance for rounding: stiffness times compliance, 1e6 N/m of 5 m/N, times the last bit.
 constexpr double kSame = 1e-8;
 
-/// A needle that hangs in ties and lies between a jaw on a hinge and something fixed.
+/// A needle that hangs in ties and lies between a jaw on a hinge and a fixed body.
 struct Bite {
   static constexpr uint32_t kContacts = 14, kTies = 5, kRows = kContacts + kTies;
 
@@ -95,7 +95,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     Bite by_movers(seed), by_forces(seed);
     const Outcome a = by_movers.solve(false), b = by_forces.solve(true);
-    // where Newton stalls there may be several ends
+    // where Newton stalls there may be several solutions
     if (!a.converged || !b.converged || a.fell_back || b.fell_back) continue;
     ++alike;
     double most = 0, way = 0;
@@ -103,7 +103,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
       most = std::max(most, std::hypot(r.f.fn, r.f.f1, r.f.f2));
       way = std::max(way, std::hypot(r.u.g, r.u.s1, r.u.s2));
     }
-    // turns at the wire's radius
+    // rotations, scaled by the wire's radius
     for (int i = 0; i < 7; ++i)
       EXPECT_NEAR(by_forces.d[i], by_movers.d[i], kSame * way / (i < 3 ? 1 : 5e-5)) << seed << " " << i;
     for (uint32_t i = 0; i < Bite::kRows; ++i) {
@@ -115,7 +115,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
       EXPECT_NEAR(s.u.s1, r.u.s1, kSame * way) << seed << " " << i;
       EXPECT_NEAR(s.u.s2, r.u.s2, kSame * way) << seed << " " << i;
       EXPECT_EQ(s.f.slips, r.f.slips);
-      // what a flexible body would be given is what the law says
+      // the force passed to a flexible body is that of the law
       const Vec3 f = s.f.fn * s.n + s.f.f1 * s.t1 + s.f.f2 * s.t2;
       EXPECT_LT((s.y - f).norm(), 1e-6 * most);
       if (r.tie) {
@@ -129,7 +129,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
   for (const uint32_t n : {sticks, slips, opens, slides, tears}) EXPECT_GT(n, 100u);
 }
 
-/// A ball that answers as a free body does that cannot turn, or as the test likes.
+/// A ball with the mobility of a free body that cannot rotate, or one set by the test.
 class Ball : public FlexibleBody {
  public:
   uint32_t object() const noexcept override { return 0; }
@@ -174,11 +174,11 @@ struct Stack {
     dynamics->solve(world, contacts, self, tie);
   }
   static scene::World make(int32_t motion, const Vec3& v) {
-    constexpr double kRadius = 10;  // m: flat, so that normals do not turn
+    constexpr double kRadius = 10;  // m: nearly flat, so that normals do not rotate
     scene::World w = three_balls(kRadius, -0.1e-6, -0.2e-6);
     w.body[0].motion = motion;
     w.body[0].mass = Ball::kMass;
-    for (double& I : w.body[0].inertia) I = 1e6;  // cannot turn
+    for (double& I : w.body[0].inertia) I = 1e6;  // cannot rotate
     scene::reset(w);
     if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_FLEXIBLE) return w;
     w.V_WB[0].v = toolkit::raw(v);
@@ -215,7 +215,7 @@ TEST(ContactSpace, WhoAnswersAsABodyMovesAsOne) {
     }
 }
 
-// no compliance at all, or no answer: like a fixed body
+// without mobility, or without an answer, the body is treated as fixed
 TEST(ContactSpace, WhoGivesNowhereStandsStill) {
   Stack still(SWAGE_MOTION_FIXED, Vec3::Zero(), true);
   still.step();

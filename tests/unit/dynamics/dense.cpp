@@ -34,7 +34,7 @@ TEST(Dense, SolvesWhatEigenSolves) {
   }
 }
 
-// on machines without registers of four it compares twos with twos
+// on machines without registers for four numbers the two-number variant is compared with itself
 TEST(Dense, HasTheSameBitsAtEveryWidthOfRegisters) {
   base::Xoshiro256 rng(3);
   for (const size_t n : {1u, 2u, 7u, 40u, 93u}) {
@@ -93,7 +93,7 @@ TEST(Dense, SolvesByHalves) {
   }
 }
 
-// what is done several lines at a time has the bits of one at a time
+// several lines at a time give the same bits as one at a time
 TEST(Dense, HasTheBitsOfOneLineAtATime) {
   base::Xoshiro256 rng(6);
   for (int n = 1; n <= 41; ++n) {

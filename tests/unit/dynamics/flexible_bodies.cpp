@@ -6,7 +6,7 @@
 namespace swage::dynamics {
 namespace flexible_bodies_test {
 
-/// A free point mass that claims to have its own mechanics.
+/// A free point mass as a flexible body.
 class PointMass : public FlexibleBody {
  public:
   uint32_t object() const noexcept override { return 3; }
@@ -69,7 +69,7 @@ TEST(FlexibleBodies, GoByTheirForcesAndAreGivenThose) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(mass.got[i], 1e-3 * 2 * f[i], 1e-18);
 }
 
-// the solve begins where points are expected, whatever forces that takes
+// the solve starts at the expected positions of the points, whatever the forces for that
 TEST(FlexibleBodies, StartsWherePointsAreExpected) {
   const scene::World w = world_with_self_body();
   FlexibleBodies blocks(w);
@@ -84,7 +84,7 @@ TEST(FlexibleBodies, StartsWherePointsAreExpected) {
   blocks.start();
   for (const uint32_t point : {0u, 1u}) EXPECT_LT((blocks.displacement(0, point) - where).norm(), 1e-18);
 
-  // the next step asks anew and begins without forces
+  // the next step queries anew and starts without forces
   blocks.begin(all);
   blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ());
   blocks.ask(1e-3);

@@ -35,7 +35,7 @@ TEST(Motion, RefusesWhatCannotMove) {
   EXPECT_THROW(Motion{w}, std::invalid_argument);
 }
 
-// a free fall is exact for any step, whatever came before
+// a free fall is exact for any step, with any previous steps
 TEST(Motion, FreeFallIsExact) {
   scene::World w = one_body();
   w.gravity = {0, 0, -9.81};
@@ -75,7 +75,7 @@ TEST(Motion, ParticlesFallAndTakeForces) {
   EXPECT_DOUBLE_EQ(w.particle_v_W[2], -1e-2);
 }
 
-// a hinged child keeps to its parent: the velocity of its points is that of the motion of its pose
+// a hinged child moves with its parent: the velocity of its points is the derivative of its pose
 TEST(Motion, HingedChildMovesWithItsParent) {
   scene::World w;
   w.body.resize(2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts of particles, as an object with nodes of its own lays them: against a plane that stands still and against a body.
+// Contacts of particles, laid by an object with nodes of its own: against a fixed plane and against a body.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ struct Bead {
   Vec3 place() const { return {world.particle_p_W[0], world.particle_p_W[1], world.particle_p_W[2]}; }
   Vec3 velocity() const { return {world.particle_v_W[0], world.particle_v_W[1], world.particle_v_W[2]}; }
 
-  /// The contact at the predicted poses, with what it remembers.
+  /// Lays the contact at the predicted poses, with its stored state.
   void lay() {
     contact::Contact c;
     if (!contacts.contact.empty()) c.bristle_W = contacts.contact[0].bristle_W;
@@ -95,7 +95,7 @@ TEST(Particles, StickBelowTheCoulombLimitAndSlideAboveIt) {
   }
 }
 
-// no force from outside: what the particle loses the body gets
+// without external forces: the momentum lost by the particle is gained by the body
 TEST(Particles, PushABodyAsItPushesThem) {
   Bead s(SWAGE_MOTION_DYNAMIC, 10 * kMass);
   s.world.gravity = {0, 0, 0};
@@ -113,7 +113,7 @@ TEST(Particles, PushABodyAsItPushesThem) {
   EXPECT_GT(s.velocity().z(), -0.0095);
 }
 
-// the same with nothing laid between them: it goes on, so the checks above can fail
+// without a contact the particle falls through, so that the checks above can fail
 TEST(Particles, FallThroughWhereNoContactIsLaid) {
   Bead s(SWAGE_MOTION_FIXED);
   s.world.gravity = {0, 0, -9.81};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An elastic rod as a flexible body: answers with its band, or with the mobility of its points.
+// An elastic rod as a flexible body, solved by its band or by the mobility of its points.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace swage::dynamics {
 
 class RodBody final : public FlexibleBody {
  public:
-  /// The world has its chain on a body of its own already; as it starts it is not stretched.
+  /// The world must already have the rod's chain on a body of its own; its start shape is unstretched.
   RodBody(scene::World& world, uint32_t object, uint32_t chain, const toolkit::RodSection& section, bool as_band)
       : world_(world), info_(world.chain[chain]), object_(object), as_band_(as_band), n_(static_cast<int>(info_.start.size())) {
     std::vector<double> rest;
@@ -26,13 +26,13 @@ class RodBody final : public FlexibleBody {
     rod_.start(s);
   }
   toolkit::RodState state() { return {n_, world_.plugin_state.data() + info_.state, frames_.data()}; }
-  /// A node stays.
+  /// Fixes a node.
   void hold(int node) { rod_.hold(node), held_node_.push_back(node); }
   void let_go(int node) { rod_.hold(node, false), std::erase(held_node_, node); }
   toolkit::Rod& rod() { return rod_; }
-  /// Drags on it; none by default.
+  /// Drag of a surrounding fluid; none by default.
   toolkit::RodFluid fluid;
-  /// Is as another of the same form is.
+  /// Copies the state of another rod of the same form.
   void take(const RodBody& other) { frames_ = other.frames_, held_ = other.held_; }
   toolkit::RodLoad load() const {
     toolkit::RodLoad out;

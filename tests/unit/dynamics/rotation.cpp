@@ -15,7 +15,7 @@ TEST(Rotation, CircleIsSineAndCosine) {
     EXPECT_NEAR(s * a, std::sin(a), rounding) << a;
   }
   double c, s;
-  circle(INFINITY, c, s);  // nonsense ends too
+  circle(INFINITY, c, s);  // non-finite input terminates, too
 }
 
 TEST(Rotation, LogUndoesExp) {

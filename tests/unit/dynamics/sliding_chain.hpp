@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A wire of one flexible body that moves as one, without turning: the simplest object with a chain.
+// A wire of one flexible body that translates as a whole, without rotation: the simplest object with a chain.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ inline void add_chain(scene::World& w, const std::vector<toolkit::Vec3>& p, doub
 
 class SlidingChain : public FlexibleBody {
  public:
-  /// `load`: N. The world has its chain, or capsules on one body, already.
+  /// `load`: N. The world must already have its chain, or capsules on one body.
   SlidingChain(scene::World& world, uint32_t object, uint32_t body, uint32_t chain, double mass,
                const toolkit::Vec3& v, const toolkit::Vec3& load = toolkit::Vec3::Zero())
       : world_(world), object_(object), body_(body), chain_(chain), mass_(mass), load_(load), v_(v) {}
@@ -80,7 +80,7 @@ class SlidingChain : public FlexibleBody {
     move(world_.dt / mass_ * sum);
   }
   const toolkit::Vec3& x() const { return x_; }
-  uint32_t furthest = 0;  // piece that was touched
+  uint32_t furthest = 0;  // largest index of a touched piece
 
  private:
   void move(const toolkit::Vec3& d) {

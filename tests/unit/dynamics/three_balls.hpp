@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A ball between two others, one below and one above it: what tests of flexible bodies solve.
+// A ball between two others, one below and one above it: the scene of tests of flexible bodies.
 #pragma once
 
 #include "scene/kinematics.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ties: the law by itself, then bodies that hang on ties, against closed forms.
+// Ties: the law by itself, then bodies that hang on ties, compared with closed forms.
 #include "dynamics/tie.hpp"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ struct Scene {
     dynamics->finish(world);
     ++world.step;
   }
-  std::vector<std::function<void()>> before;  // at the predicted poses
+  std::vector<std::function<void()>> before;  // run at the predicted poses
   toolkit::Pose pose(uint32_t body) const { return toolkit::Pose(world.X_WB[body]); }
 };
 
@@ -156,7 +156,7 @@ TEST(Ties, HoldUpToTheirDragAndNoFarther) {
       EXPECT_NEAR(x, relaxation * stretch, 1e-12);
       EXPECT_EQ(rest.x(), 0);
     } else {
-      // what exceeds the drag accelerates it; the start costs a few steps
+      // the force beyond the drag accelerates it; the start takes a few steps
       EXPECT_NEAR(x, stretch + 0.5 * (relaxation - 1) * drag / m, 0.02 * x);
       EXPECT_NEAR(tie.f_a_W.x(), -drag, 1e-15);
     }

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <swage/abi/spheres.h>
+
 #include <cmath>
 
 #include "host/sentences.hpp"
 #include "host/units.hpp"
+#include "scene/chain.hpp"
 #include "snapshot/snapshot.hpp"
 
 using namespace swage::host;
@@ -335,6 +338,11 @@ TEST(Builder, TakesAChainThatItsObjectMoves) {
   EXPECT_THAT(info.radius, ElementsAre(0.5, 0.25, 0));
   EXPECT_EQ(info.state, 3u);
   EXPECT_EQ(b.world.shape.at(0).radius, 0.5);
+  EXPECT_EQ(b.world.shape.at(0).flags, SWAGE_SHAPE_USUAL);
+  swage_chain spheres = chain;
+  spheres.kind = SWAGE_CHAIN_SPHERES;
+  EXPECT_EQ(declare(b.raw, 1, &spheres, SWAGE_SHAPE_USUAL), 1u);
+  EXPECT_EQ(b.world.shape.at(1).flags, SWAGE_SHAPE_USUAL | swage::scene::kChainOfSpheres);
 
   const double falls[] = {0, 2, 1}, same[] = {0, 0, 0, 0, 0, 0, 3, 4, 0}, negative[] = {0.5, -1};
   const auto refused = [&](auto&& change) {
@@ -342,7 +350,7 @@ TEST(Builder, TakesAChainThatItsObjectMoves) {
     change(bad);
     return declare(b.raw, 1, &bad, SWAGE_SHAPE_USUAL) == kNone;
   };
-  EXPECT_TRUE(refused([](swage_chain& c) { c.kind = 2; }));
+  EXPECT_TRUE(refused([](swage_chain& c) { c.kind = 3; }));
   EXPECT_TRUE(refused([](swage_chain& c) { c.n_vertex = 1; }));
   EXPECT_TRUE(refused([&](swage_chain& c) { c.s = falls; }));
   EXPECT_TRUE(refused([&](swage_chain& c) { c.p_B = same; }));

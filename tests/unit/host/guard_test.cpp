@@ -117,9 +117,7 @@ TEST(Guard, EachCallHasItsWord) {
   EXPECT_STREQ(text(Call::kCreate), "create");
   EXPECT_STREQ(text(Call::kOnSolved), "on_solved");
   EXPECT_STREQ(text(Call::kDisplacement), "displacement");
-  EXPECT_STREQ(text(Call::kDents), "dents");
-  EXPECT_STREQ(text(Call::kTears), "tears");
-  EXPECT_STREQ(text(Call::kWounds), "wounds");
+  EXPECT_STREQ(text(Call::kDraw), "draw");
   EXPECT_STREQ(text(Call::kLinearise), "linearise");
   EXPECT_STREQ(text(Call::kDisplace), "displace");
 }

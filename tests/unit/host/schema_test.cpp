@@ -70,4 +70,5 @@ TEST(Schema, ALessonsPluginDecidesAboutItsParameters) {
   EXPECT_EQ(object["allOf"][0]["then"]["properties"]["params"]["$ref"], "#/definitions/swage.object.needle");
   EXPECT_TRUE(s["definitions"].contains("swage.object.needle"));
   EXPECT_EQ(s["properties"]["couplings"]["items"]["properties"]["plugin"]["enum"], Json::array());
+  EXPECT_EQ(s["properties"]["reset"]["required"], Json({"label"}));
 }

@@ -83,6 +83,7 @@ TEST(Words, LieInFilesOfTheirLanguageInTheOrderOfTheirNames) {
 
 TEST(Words, OfAPluginAreWhatPeopleSee) {
   PluginInfo plugin;
+  plugin.name = "Bent needle";
   Param shown, hidden, file_name;
   shown.type = SWAGE_PARAM_CHOICE;
   shown.id = "arc";
@@ -103,7 +104,7 @@ TEST(Words, OfAPluginAreWhatPeopleSee) {
   plugin.metrics = {titled, plain};
   plugin.cues = {{"grasp.good", "Named by a theme.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_NEUTRAL},
                  {"clip.lost", "Shown by its id's words.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_BAD}};
-  EXPECT_THAT(words_of(plugin), ElementsAre("Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
+  EXPECT_THAT(words_of(plugin), ElementsAre("Bent needle", "Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
                                             "Greatest force.", "x.y", "clip.lost"));
 }
 
@@ -114,9 +115,9 @@ TEST(Words, OfASceneAndOfALessonAreWhatPeopleSee) {
   card.script.phases = {{"lesson", "hold", "1", "Hold it."}};
   card.script.metrics = {{"lesson", "time.task", "s", "The time."}};
   EXPECT_THAT(words_of(card), ElementsAre("grasp.force", "The grip.", "grasp.taken", "Both jaws hold it", "Hold it.", "time.task", "The time."));
-  const auto lesson = nlohmann::ordered_json::parse(R"({ "title": "A lesson", "objects": [ { "name": "needle" } ],
+  const auto lesson = nlohmann::ordered_json::parse(R"({ "title": "A lesson", "reset": { "label": "Lay anew", "tip": "Undoes it" }, "objects": [ { "name": "needle" } ],
     "devices": [ { "name": "hand", "as": "mouse", "or": [ { "as": "expert" } ] } ], "couplings": [ { "plugin": "x" } ] })");
-  EXPECT_THAT(words_of(lesson), ElementsAre("A lesson", "needle", "hand", "mouse", "expert"));
+  EXPECT_THAT(words_of(lesson), ElementsAre("A lesson", "Lay anew", "Undoes it", "needle", "hand", "mouse", "expert"));
   EXPECT_THAT(words_of(nlohmann::ordered_json::array()), IsEmpty());
 }
 

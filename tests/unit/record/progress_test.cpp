@@ -140,6 +140,26 @@ TEST(Progress, WithoutLimitsTheLessonsVerdictCounts) {
   EXPECT_EQ(metrics_of(step, std::vector<AttemptRow>{a, attempt(1, 1, 3, "b")}).size(), 1u);
 }
 
+// A needle that tore the tissue after a second was quicker than every limit of time.
+TEST(Progress, AnAttemptThatFailedMeetsNoStepWhateverItsNumbersAre) {
+  const CourseStep step = course_of().steps[0];
+  AttemptRow a = attempt(1, 0, 1);
+  EXPECT_TRUE(meets(step, a).all);
+  a.outcome = "failed";
+  EXPECT_FALSE(meets(step, a).all);
+  EXPECT_TRUE(meets(step, a).broken.empty()) << "it broke no limit";
+  EXPECT_TRUE(metrics_of(step, std::vector<AttemptRow>{a})[0].empty()) << "and it gives no limits";
+  Course course = course_of();
+  std::vector<AttemptRow> attempts;
+  for (int day = 1; day < 3; ++day)
+    for (int minute = 0; minute < 2; ++minute) attempts.push_back(attempt(day, minute, 1)), attempts.back().outcome = "failed";
+  const StepStanding failed = standing(course, attempts)[0];
+  EXPECT_EQ(failed.tests, 4u);
+  EXPECT_FALSE(failed.rule.passed);
+  for (AttemptRow& one : attempts) one.outcome = "passed";
+  EXPECT_TRUE(standing(course, attempts)[0].rule.passed);
+}
+
 TEST(Progress, DaysAreThoseOfTheCalendar) {
   EXPECT_EQ(day_of("2030-01-02T00:00:00.000Z") - day_of("2030-01-01T00:00:00.000Z"), 1);
   EXPECT_EQ(day_of("2030-03-01T12:00:00.000Z") - day_of("2030-02-28T12:00:00.000Z"), 1);

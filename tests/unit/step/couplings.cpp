@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "fake_scene.hpp"
 
@@ -130,46 +131,63 @@ TEST(Couplings, AreReleasedInQuarantine) {
   EXPECT_GT(healthy.ball().p.z, 5e-3);
 }
 
-// what a coupling has for the eye: in every snapshot, for the left hand mirrored, and nothing of it when a number has no sense
-TEST(Couplings, ShowTornPlacesAndWhereTheyLead) {
-  static swage_tear torn;
-  static swage_wound leads;
-  torn = {{1e-3, 0, 0}, {2e-3, 0, 0}, {0, 0, 1}, 5e-5, 3, 0};
-  leads = {{2e-3, 0, 0}, {0.6, 0, -0.8}, 4e-4, 1e-7, 3, 1};
-  static constexpr swage_tears tears{
-      [](swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n) {
-        for (*n = 0; *n < std::min(capacity, 1u); ++*n) out[*n] = torn;
-        return swage_result{SWAGE_OK};
-      }};
-  static constexpr swage_wounds wounds{
-      [](swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_wound* out, uint32_t* n) {
-        for (*n = 0; *n < std::min(capacity, 1u); ++*n) out[*n] = leads;
-        return swage_result{SWAGE_OK};
-      }};
-  FakeScene s;
-  s.rig.couplings[0].tears = &tears;
-  s.rig.couplings[0].wounds = &wounds;
-  const auto shot = std::make_unique<snapshot::Snapshot>();
-  for (const bool mirror : {false, true}) {
-    s.rig.mirror = mirror;
-    s.engine().fill(*shot);
-    ASSERT_EQ(shot->n_tear, 1u);
-    ASSERT_EQ(shot->n_wound, 1u);
-    const snapshot::WoundMark& mark = shot->wound[0];
-    EXPECT_EQ(mark.object, s.rig.couplings[0].object_b);
-    EXPECT_EQ(mark.wound.wound, shot->tear[0].tear.wound);
-    EXPECT_EQ(mark.wound.filled, 1u);
-    EXPECT_EQ(mark.wound.p_W.x, mirror ? -2e-3 : 2e-3);
-    EXPECT_EQ(mark.wound.inward_W.x, mirror ? -0.6 : 0.6);
-    EXPECT_EQ(shot->tear[0].tear.b_W.x, mark.wound.p_W.x);
+/// What a coupling of the next test draws.
+struct Drawn {
+  static inline std::vector<swage_visual> list;
+  static swage_result draw(swage_instance*, const swage_object_step* object, const swage_coupling_step* step, uint32_t capacity, swage_visual* out,
+                           uint32_t* n) {
+    if (object != nullptr || step == nullptr) return SWAGE_ERROR;
+    *n = static_cast<uint32_t>(std::min<size_t>(capacity, list.size()));
+    std::copy_n(list.begin(), *n, out);
+    return SWAGE_OK;
   }
-  leads.depth = std::numeric_limits<double>::quiet_NaN();
+  static constexpr swage_visuals table{draw};
+};
+
+// what a coupling draws: in every snapshot, in the world, for the left hand mirrored, and none of it when a number has no sense
+TEST(Couplings, DrawOnObjectB) {
+  const swage_visual wound{SWAGE_VISUAL_WOUND, SWAGE_NONE, 3, 0, {2e-3, 0, 0}, {2.24e-3, 0, -3.2e-4}, {0.6, 0, -0.8}, 2e-4, 1};
+  const swage_visual disc{SWAGE_VISUAL_DISC, 0, 0, SWAGE_TONE_INK, {0, 0, 1e-3}, {0, 0, 1e-3}, {0, 0, 1}, 1e-3, 0.5};
+  FakeScene s;
+  s.rig.couplings[0].visuals = &Drawn::table;
+  const uint32_t b = s.rig.couplings[0].object_b;
+  swage_pose& X_WB = s.rig.world.X_WB[s.rig.objects[b].body.first];
+  X_WB = {{1e-3, 2e-3, 3e-3}, {M_SQRT1_2, 0, M_SQRT1_2, 0}};  // z to x
+  const auto shot = std::make_unique<snapshot::Snapshot>();
+  for (const double sign : {1.0, -1.0}) {
+    Drawn::list = {wound, disc};
+    s.rig.mirror = sign < 0;
+    s.engine().fill(*shot);
+    ASSERT_EQ(shot->n_visual, 2u);
+    const snapshot::VisualMark &told = shot->visual[0], &on_body = shot->visual[1];
+    EXPECT_EQ(told.object, b);
+    EXPECT_EQ(told.coupling, 0u);
+    EXPECT_EQ(told.visual.group, 3u);
+    EXPECT_EQ(told.visual.strength, 1);
+    EXPECT_EQ(told.visual.a.x, sign * 2e-3);
+    EXPECT_EQ(told.visual.b.x, sign * 2.24e-3);
+    EXPECT_EQ(told.visual.direction.x, sign * 0.6);
+    EXPECT_NEAR(on_body.visual.a.x, sign * 2e-3, 1e-15);
+    EXPECT_NEAR(on_body.visual.a.z, 3e-3, 1e-15);
+    EXPECT_NEAR(on_body.visual.direction.x, sign, 1e-12);
+  }
+  const auto drawn = [&](const auto& spoil) {
+    Drawn::list = {wound, disc};
+    spoil(Drawn::list[1]);
+    s.engine().fill(*shot);
+    return shot->n_visual;
+  };
+  EXPECT_EQ(drawn([](swage_visual&) {}), 2u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.a.z = std::numeric_limits<double>::quiet_NaN(); }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.direction.z = std::numeric_limits<double>::infinity(); }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.kind = 99; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.tone = 99; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.body = 99; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.radius = -1e-3; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.strength = 1.01; }), 0u);
+  Drawn::list.assign(200, disc);
   s.engine().fill(*shot);
-  EXPECT_EQ(shot->n_wound, 0u);
-  EXPECT_EQ(shot->n_tear, 1u);
-  torn.normal_W.z = std::numeric_limits<double>::infinity();
-  s.engine().fill(*shot);
-  EXPECT_EQ(shot->n_tear, 0u);
+  EXPECT_EQ(shot->n_visual, snapshot::kMaxVisualsOfOne);
 }
 
 TEST(Couplings, TellEventsOfTheirOwn) {

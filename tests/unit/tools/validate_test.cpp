@@ -62,10 +62,14 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   expect("coupling_tieplace", say::kTiePlace());
   expect("coupling_tiebody", say::kTieBody());
   expect("coupling_tiestrength", say::kTieStiffness(-1));
-  expect("coupling_tears", say::kTooMany(65, "tears", 64));
-  expect("coupling_tear", say::kTear());
-  expect("coupling_wounds", say::kTooMany(65, "wounds", 64));
-  expect("coupling_wound", say::kWound());
+  expect("coupling_visuals", say::kManyVisuals(1, 0));
+  expect("coupling_visualkind", say::kVisualKind(99, 0));
+  expect("coupling_visualbody", say::kVisualBody.words(0));
+  expect("coupling_visualnumber", say::kVisualNumber());
+  expect("coupling_visualsize", say::kVisualSize("-0.0001"));
+  expect("coupling_visualstrength", say::kVisualStrength("1.5"));
+  expect("coupling_visualmeddles", say::kVisualMeddles());
+  expect("coupling_visualother", say::kVisualOther());
 #ifndef SWAGE_SANITIZED
   expect("lesson_allocates", say::kAllocates(2000, 2000));
 #endif
@@ -143,8 +147,8 @@ TEST_F(Validate, SolversThatLieAreTold) {
   expect("stands", say::kImpulsesSlip.words(0));
   expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
   expect("infinite", say::kImpulsesNotFinite());
-  expect("dents", say::kDent());
-  expect("manydents", say::kManyDents(1, 0));
+  expect("dents", say::kVisualNumber());
+  expect("meddles", say::kVisualMeddles());
   expect("surface", say::kSurfaceUnwritten());
   expect("unsteadysurface", say::kOtherBits("displacement"));
   expect("bandless", say::kBandNoChain.words(0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object with a chain whose mechanics is a band: the host solves it together with everything that it touches, at a cost that
-// grows with the contacts and not with their square. It answers mobility as well, for hosts that do not know bands.
+// An object with a chain whose stiffness matrix is a band: the host solves it together with everything that it touches, at a cost
+// linear in the number of contacts. It offers mobility as well, for hosts without this extension.
 //
 //   class Thread final : public swage::BandedObject<ThreadParams>, public swage::Solid { ... };
 #pragma once
@@ -23,9 +23,9 @@ class BandedObject : public Object<P>, public ChainSolver {
   template <class T>
   using Tables = detail::BandTables<T>;
 
-  /// The step, linear about where advance() has left the chain: 4 n columns of the stiffness, and the gradient. [rt]
+  /// Linearises the step at the vertices that advance() wrote: 4 n columns of the stiffness, and the gradient. [rt]
   virtual void linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) SWAGE_RT = 0;
-  /// Goes from there by `change`, in which the impulses are already. [rt]
+  /// Moves the vertices from there by `change`, of which the impulses are already a part. [rt]
   virtual void displace(const Step& step, const double* change, std::span<const swage_contact_point> points,
                         std::span<const swage_chain_place> place, const double* impulse) SWAGE_RT = 0;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What build() declares with. Each kind of plugin gets the builder with exactly what its kind may declare.
+// The builders that build() receives. Each kind of plugin gets one with exactly the declarations of its kind.
 // [main]
 //
-// A declaration that the host refuses returns an index that is not valid(); the host has then said why and
+// A declaration that the host refuses returns an index that is not valid(); the host has reported why, and
 // configure fails.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace swage {
 
-/// What every kind may declare: private numbers, signals, and problems.
+/// The declarations of every kind: private numbers and signals; and reports of problems.
 class Builder {
  public:
   explicit Builder(swage_builder* raw) : raw_(raw) {}
@@ -43,7 +43,7 @@ class Builder {
     n_state_ += n_double;
   }
 
-  /// A problem with one parameter ("" for the whole instance). Several may be told; configure then fails.
+  /// Reports a problem with one parameter ("" for the whole instance). Several may be reported; configure then fails.
   void error(const char* param_id, const std::string& message) {
     raw_->error(raw_, param_id, message.c_str());
     failed_ = true;
@@ -142,8 +142,8 @@ class ObjectBuilder : public Builder {
     return Shape(checked(table->declare(raw(), body, &field, flags)));
   }
 
-  /// Room for so many contact points of this object at once, of one with mechanics of its own. Returns how many it may be asked
-  /// about. `table`: host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES).
+  /// Reserves room for so many contact points at once, for an object that is a Solver. Returns the number that it gets.
+  /// `table`: host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES).
   uint32_t reserve_points(const swage_host_capacities* table, uint32_t points) {
     if (table == nullptr) {
       error("", "this host has no capacities to ask for");
@@ -190,7 +190,7 @@ class LessonBuilder : public Builder {
     return Metric(declare(SWAGE_DECLARE_METRIC, id, unit, doc));
   }
   Cue cue(const char* id, const char* doc) { return Cue(declare(SWAGE_DECLARE_CUE, id, "1", doc)); }
-  /// The same from the lesson's card (static constexpr arrays `metrics` and `cues` of the class).
+  /// Declares an entry of the lesson's card (static constexpr arrays `metrics` and `cues` of the class).
   Metric metric(const swage_metric_info& m) { return metric(m.id, m.unit, m.doc); }
   Cue cue(const swage_cue_info& c) { return cue(c.id, c.doc); }
   Event event(const char* id, const char* doc) { return Event(declare(SWAGE_DECLARE_EVENT, id, "1", doc)); }

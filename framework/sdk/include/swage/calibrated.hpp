@@ -27,7 +27,7 @@ class CalibratedDevice : public Device<P> {
   template <class T>
   using Tables = detail::CalibratedDeviceTables<T>;
 
-  /// The calibration in use as JSON text, "" for none; asked once after open(), it stays until close(). [main]
+  /// The calibration in use as JSON text, "" for none; read once after open() and valid until close(). [main]
   virtual std::string_view calibration() const = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small things that every kind of plugin uses: typed indices, strings, poses, the mark of a real-time
-// function.
+// Definitions that every kind of plugin uses: typed indices, strings, poses, and the attribute of real-time
+// functions.
 #pragma once
 
 #include <swage/abi/builder.h>
@@ -24,7 +24,7 @@
 #define SWAGE_RT
 #endif
 
-// Thread roles and call order are checked when this is 1. What is found is reported, never fatal.
+// Thread roles and call order are checked when this is 1. A violation is reported, never fatal.
 #ifndef SWAGE_CHECKS
 #ifdef NDEBUG
 #define SWAGE_CHECKS 0
@@ -37,7 +37,7 @@ namespace swage {
 
 inline constexpr uint32_t kNone = SWAGE_NONE;
 
-/// Index of something that the builder declared. Reads as a number, but a cue cannot be passed for a metric.
+/// Index of an item that the builder declared. Converts to a number, but a cue cannot be passed for a metric.
 template <class Tag>
 struct Index {
   uint32_t value = kNone;

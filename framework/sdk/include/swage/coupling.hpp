@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A coupling: what happens between two objects. It names the traits it needs on each side, never a plugin.
+// A coupling: the interaction of two objects. It names the traits it needs on each side, never a plugin.
 //
 //   class Grip final : public swage::Coupling<GripParams> {
 //    public:
@@ -14,6 +14,7 @@
 #include <swage/peer.hpp>
 #include <swage/plugin.hpp>
 #include <swage/step.hpp>
+#include <swage/visual.hpp>
 
 namespace swage {
 
@@ -31,7 +32,7 @@ class CouplingStep {
   /// The contacts of this step. In resolve() their law may be changed; in finish() their forces are known.
   std::span<swage_contact> contacts() const { return {raw_->contact, raw_->n_contact}; }
 
-  /// Something happened.
+  /// Reports that an event happened.
   void event(Event event, double value = 0) const { raw_->event(raw_, event, value); }
   void signal(Signal signal, double value) const {
     assert(signal < raw_->n_signal);
@@ -50,28 +51,23 @@ class CouplingStep {
   const swage_coupling_step* raw_;
 };
 
-/// Compliant links between the two objects: slide along an axis up to a limit, springs across it. A coupling inherits it beside
-/// Coupling; what a tie remembers (where it is at rest) is its own state.
+/// Compliant constraints between the two objects: a spring that slides beyond a limit along an axis, a spring across it. A coupling
+/// inherits it beside Coupling; the rest position of a tie is the coupling's own state.
 class Ties {
  public:
   virtual ~Ties() = default;
   /// After resolve(): writes at most out.size() ties, returns how many. [rt]
   virtual uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) SWAGE_RT = 0;
-  /// Before finish(): the same ties with their forces, and what each gave up. [rt]
+  /// Before finish(): the same ties with their forces and plastic slips. [rt]
   virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
 };
 
-/// Leaves torn places on the surface of object b; for the eye only.
-class Tearing {
+/// Primitives drawn on object b that its shapes do not contain, such as torn regions; for drawing only.
+class DrawingOnB {
  public:
-  virtual ~Tearing() = default;
-  /// Writes at most out.size() capsules, returns how many. After finish(). [rt]
-  virtual uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) SWAGE_RT = 0;
-  /// Writes at most out.size() wounds, one for each number that tears() uses; returns how many. After finish(). [rt]
-  virtual uint32_t wounds(const CouplingStep& step, std::span<swage_wound> out) SWAGE_RT {
-    static_cast<void>(step), static_cast<void>(out);
-    return 0;
-  }
+  virtual ~DrawingOnB() = default;
+  /// Adds primitives to `out`. Called after finish() when a snapshot is taken; must not change state. [rt]
+  virtual void draw(const CouplingStep& step, Visuals& out) SWAGE_RT = 0;
 };
 
 namespace detail {
@@ -94,7 +90,7 @@ class Coupling : public WithParams<P> {
     static_cast<void>(params);
     static_cast<void>(builder);
   }
-  /// Meets its two objects, which offer what was asked for; refuse() says why not. [main]
+  /// Receives the two objects, which offer the traits in needs_a and needs_b; refuse() rejects them. [main]
   virtual void bind(const Peer& a, const Peer& b) {
     static_cast<void>(a);
     static_cast<void>(b);
@@ -115,8 +111,7 @@ inline constexpr Entry kFinishCoupling{"finish", 14, kRt, When::kActive};
 inline constexpr Entry kResetCoupling{"reset", 15, kRt, When::kActive};
 inline constexpr Entry kTies{"ties", 23, kRt, When::kActive};
 inline constexpr Entry kOnSolved{"on_solved", 24, kRt, When::kActive};
-inline constexpr Entry kTears{"tears", 31, kRt, When::kActive};
-inline constexpr Entry kWounds{"wounds", 34, kRt, When::kActive};
+inline constexpr Entry kDrawOnB{"draw", 31, kRt, When::kActive};
 
 template <class List>
 constexpr auto null_terminated(const List& list) {
@@ -157,16 +152,12 @@ struct CouplingTables {
     return guarded<T>(i, kOnSolved, [&](auto&, Holder<T>& h) { part<Ties>(h).on_solved(CouplingStep(s), {tie, n}); });
   }
 
-  static swage_result tears(swage_instance* i, Raw s, uint32_t capacity, swage_tear* out,
-                            uint32_t* n) noexcept {
-    return guarded<T>(i, kTears, [&](auto&, Holder<T>& h) {
-      *n = part<Tearing>(h).tears(CouplingStep(s), {out, capacity});
-    });
-  }
-  static swage_result wounds(swage_instance* i, Raw s, uint32_t capacity, swage_wound* out,
-                             uint32_t* n) noexcept {
-    return guarded<T>(i, kWounds, [&](auto&, Holder<T>& h) {
-      *n = part<Tearing>(h).wounds(CouplingStep(s), {out, capacity});
+  static swage_result draw(swage_instance* i, const swage_object_step*, Raw s, uint32_t capacity, swage_visual* out,
+                           uint32_t* n) noexcept {
+    return guarded<T>(i, kDrawOnB, [&](auto&, Holder<T>& h) {
+      Visuals list({out, capacity});
+      part<DrawingOnB>(h).draw(CouplingStep(s), list);
+      *n = list.size();
     });
   }
 
@@ -186,11 +177,9 @@ struct CouplingTables {
       static constexpr swage_ties links{ties, on_solved};
       if (same(id, SWAGE_EXT_TIES)) return &links;
     }
-    if constexpr (std::is_base_of_v<Tearing, T>) {
-      static constexpr swage_tears torn{tears};
-      static constexpr swage_wounds open{wounds};
-      if (same(id, SWAGE_EXT_TEARS)) return &torn;
-      if (same(id, SWAGE_EXT_WOUNDS)) return &open;
+    if constexpr (std::is_base_of_v<DrawingOnB, T>) {
+      static constexpr swage_visuals drawing{draw};
+      if (same(id, SWAGE_EXT_VISUAL)) return &drawing;
     }
     return nullptr;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The traits of blades and of what they part (abi/cut.h), for both sides. An object inherits Blades or Cuttable and returns
+// The traits of blades and of strands that they cut (abi/cut.h), for both sides. An object inherits Blades or Cuttable and returns
 // blades_table<T>() or cuttable_table<T>() from extension(); a coupling keeps a BladesPeer and a CuttablePeer.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace swage {
 class Blades {
  public:
   virtual ~Blades() = default;
-  /// Constant while it is active. [rt]
+  /// Writes the properties of the blades, constant while active. [rt]
   virtual void blades_law(const Step& step, swage_blades_law& out) SWAGE_RT = 0;
 };
 
-/// A strand that can be parted.
+/// A strand that can be cut.
 class Cuttable {
  public:
   virtual ~Cuttable() = default;
@@ -48,7 +48,7 @@ const swage_cuttable* cuttable_table() {
   return &table;
 }
 
-/// Blades of somebody else's plugin. Cheap to copy; keep it from bind() on.
+/// Blades of another plugin. Cheap to copy; keep it from bind() on.
 class BladesPeer {
  public:
   BladesPeer() = default;
@@ -66,14 +66,14 @@ class BladesPeer {
   const swage_blades* table_ = nullptr;
 };
 
-/// A strand of somebody else's plugin that can be parted. Cheap to copy; keep it from bind() on.
+/// A strand of another plugin that can be cut. Cheap to copy; keep it from bind() on.
 class CuttablePeer {
  public:
   CuttablePeer() = default;
   explicit CuttablePeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_cuttable>(SWAGE_TRAIT_CUTTABLE)) {}
 
   bool valid() const { return table_ != nullptr; }
-  /// False when it could not.
+  /// Cuts the strand at s [m]; false when the object could not.
   bool cut(const Step& step, double s) const SWAGE_RT { return table_ != nullptr && table_->cut(raw_, step.raw(), s) == SWAGE_OK; }
 
  private:

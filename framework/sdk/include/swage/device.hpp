@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device: gives samples and, when it can, takes forces. It owns no thread and needs no lock: the host calls
+// A device: returns samples and, when it can, takes forces. It owns no thread and needs no lock: the host calls
 // exchange() on a thread of its own and carries the samples to the step; a LOCKSTEP device is called in the
 // step itself.
 //
@@ -17,7 +17,7 @@
 
 namespace swage {
 
-/// What a device is able to do; static.
+/// Capabilities of a device; static.
 struct DeviceCard {
   uint32_t flags = 0;     // SWAGE_DEVICE_*
   double rate_hz = 1000;  // preferred rate of exchange
@@ -44,10 +44,10 @@ class Device : public WithParams<P> {
     static_cast<void>(params);
     static_cast<void>(builder);
   }
-  /// Reaches for the hardware; refuse() says why not. [main]
+  /// Opens the hardware; refuse() reports why that failed. [main]
   virtual void open() {}
   virtual void close() {}
-  /// Takes the command, gives the newest sample; leaves `sample` as it was when there is none. [io, or rt
+  /// Takes the command, writes the newest sample; leaves `sample` unchanged when there is none. [io, or rt
   /// when LOCKSTEP]
   virtual void exchange(const swage_command& command, swage_sample& sample) = 0;
 };

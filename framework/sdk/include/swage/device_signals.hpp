@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device that tells of itself: its battery, a temperature, raw volts. Recorded with the attempt and shown, never part of the scene.
+// A device with signals of its own: its battery, a temperature, raw volts. Recorded with the attempt and shown, never part of the scene.
 //
 //   class Pen final : public swage::TellingDevice<PenParams> {
 //    public:
@@ -27,7 +27,7 @@ template <class T, class Base>
 struct TellingDeviceTables;
 }
 
-/// Base of a device with signals. `Base`: what it is besides, e.g. CalibratedDevice<P>.
+/// Base of a device with signals. `Base`: its other base class, e.g. CalibratedDevice<P>.
 template <class P = NoParams, class Base = Device<P>>
 class TellingDevice : public Base {
  public:
@@ -35,7 +35,7 @@ class TellingDevice : public Base {
   template <class T>
   using Tables = detail::TellingDeviceTables<T, typename Base::template Tables<T>>;
 
-  /// Values of `told`, in its order; kNotKnown where nothing is known now. [io, or rt when LOCKSTEP] right after exchange()
+  /// Writes the values of `told`, in its order; kNotKnown where a value is unknown. [io, or rt when LOCKSTEP] right after exchange()
   virtual void tell(std::span<double> out) = 0;
 };
 

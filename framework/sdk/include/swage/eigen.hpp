@@ -2,9 +2,9 @@
 //
 // The boundary's plain structs seen through Eigen. The only header of the wrapper that needs Eigen.
 //
-// vec() of something that lives is a map: writing to it writes to the host's array. Maps are unaligned, so
-// the flags that a plugin is compiled with do not matter. Quaternions are copied: the boundary says w x y z,
-// Eigen stores x y z w.
+// vec() of an lvalue is a map: writing to it writes to the host's array. Maps are unaligned, so the instruction
+// set that a plugin is compiled for does not matter. Quaternions are copied: the boundary's order is w x y z,
+// Eigen's x y z w.
 #pragma once
 
 #include <swage/abi/base.h>
@@ -32,7 +32,7 @@ inline Eigen::Vector3d transform(const swage_pose& X_AB, const Eigen::Vector3d& 
   return vec(X_AB.p) + quat(X_AB.q) * p_B;
 }
 
-/// Into the boundary's structs.
+/// Conversions to the boundary's structs.
 inline swage_vec3 abi(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline swage_quat abi(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 inline swage_pose abi(const Eigen::Vector3d& p, const Eigen::Quaterniond& q) { return {abi(p), abi(q)}; }

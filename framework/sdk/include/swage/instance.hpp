@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every plugin instance inherits: its name, its host, and the ways to say that something is wrong.
+// Base class of every plugin instance: its name, its host, and its reports of problems.
 #pragma once
 
 #include <swage/abi/builder.h>
@@ -24,11 +24,11 @@ class Instance {
   Instance& operator=(const Instance&) = delete;
   virtual ~Instance() = default;
 
-  /// As the lesson file names the instance. [any]
+  /// Name of the instance in the lesson file. [any]
   std::string_view instance_name() const { return name_; }
 
  protected:
-  /// The last chance to allocate before the steps begin; dt_s [s] is the step. [main]
+  /// Called before the first step, the last chance to allocate; dt_s: length of a step [s]. [main]
   virtual void activate(double dt_s) { static_cast<void>(dt_s); }
   virtual void deactivate() {}
 
@@ -48,7 +48,7 @@ class Instance {
     return static_cast<const Table*>(host_->get_extension(host_, id));
   }
 
-  /// How much a step of this scene has room for; final from activate() on. Zeros from a host that does not say. [any]
+  /// Capacities of a step of this scene; final from activate() on. Zeros from a host without the extension. [any]
   swage_capacities capacities() const SWAGE_RT {
     swage_capacities out{sizeof(swage_capacities), 0, 0, 0, 0, 0};
     if (const auto* table = host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES))
@@ -56,16 +56,16 @@ class Instance {
     return out;
   }
 
-  /// Words for people. [main | io]
+  /// Messages to the user. [main | io]
   void note(std::string_view message) const { report(SWAGE_NOTE, message); }
   void warn(std::string_view message) const { report(SWAGE_WARNING, message); }
-  /// Says why and makes the present call fail. [main]
+  /// Reports the reason and makes the present call fail. [main]
   void refuse(std::string_view message) {
     report(SWAGE_SEVERE, message);
     result_ = SWAGE_ERROR;
   }
 
-  /// What this call contributed is void; carry on. [rt | io]
+  /// Makes the contribution of this call void; the instance stays in use. [rt | io]
   void discard() SWAGE_RT { result_ = SWAGE_DISCARD; }
   /// Asks to be quarantined; the code (0 or above) and two numbers go into the record. [rt | io]
   void give_up(int32_t code, double a = 0, double b = 0) SWAGE_RT {
@@ -95,11 +95,11 @@ template <class P>
 class WithParams : public Instance {
  public:
   using Params = P;
-  /// What the lesson file and the defaults gave; set before build(). [any]
+  /// Values from the lesson file and the defaults; set before build(). [any]
   const Params& params() const { return params_; }
 
  protected:
-  /// A live() parameter has a new value, already in params(). [rt]
+  /// Called when a live() parameter has a new value, already in params(). [rt]
   virtual void changed() SWAGE_RT {}
 
  private:

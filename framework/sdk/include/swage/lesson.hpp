@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A lesson: looks at the scene and judges. It sees everything as const, so the same code judges live and
-// re-judges recordings; what it says are meanings ("grasp.good"), and the console gives them colours, shapes
+// A lesson: observes the scene and judges. It sees everything as const, so the same code judges live and
+// re-judges recordings; its cues are meanings ("grasp.good"), to which the console gives colours, shapes
 // and sounds.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace swage {
 
-/// Everything in the scene that has a name. [main]
+/// Everything with a name in the scene. [main]
 class Scene {
  public:
   explicit Scene(const swage_scene_card* raw) : raw_(raw) {}
@@ -28,13 +28,13 @@ class Scene {
       if (view(raw_->object[i].name) == name) return i;
     return kNone;
   }
-  /// A signal by owner and id; not valid() when nobody offers it.
+  /// A signal by owner and id; not valid() when there is none.
   Signal find_signal(std::string_view owner, std::string_view id) const {
     for (uint32_t i = 0; i < raw_->n_signal; ++i)
       if (view(raw_->signal[i].owner) == owner && view(raw_->signal[i].id) == id) return Signal(i);
     return Signal();
   }
-  /// An event by owner and id; not valid() when nobody sends it.
+  /// An event by owner and id; not valid() when there is none.
   Event find_event(std::string_view owner, std::string_view id) const {
     for (uint32_t i = 0; i < raw_->n_event; ++i)
       if (view(raw_->event[i].owner) == owner && view(raw_->event[i].id) == id) return Event(i);
@@ -45,7 +45,7 @@ class Scene {
   const swage_scene_card* raw_;
 };
 
-/// What bind() may do: show marks, tell problems. [main]
+/// Argument of bind(): declares marks and reports problems. [main]
 class Binder {
  public:
   explicit Binder(swage_lesson_binder* raw) : raw_(raw) {}
@@ -58,7 +58,7 @@ class Binder {
   Mark mark_point(swage_vec3 p_W, double radius, std::string_view meaning) {
     return add({SWAGE_MARK_POINT, kNone, str(meaning), {radius, 0}, p_W});
   }
-  /// A sentence for a signal or event that `owner` does not offer: what it offers instead. [main]
+  /// Reports a signal or event that `owner` does not offer, with those that it does offer. [main]
   void missing(const Scene& scene, std::string_view what, std::string_view owner, std::string_view id, std::string_view why) {
     const bool event = what == "event";
     std::string text = "\"" + std::string(owner) + "\" has no " + std::string(what) + " \"" + std::string(id) + "\"";
@@ -74,7 +74,7 @@ class Binder {
     const std::string who = others.empty() ? "" : ". Here " + std::string(what) + "s are those of: " + others;
     error(text + ". It has: " + (there.empty() ? "none" + who : there));
   }
-  /// Something that the lesson needs is not there; several may be told, bind then fails.
+  /// Reports that something the lesson needs is missing. Several may be reported; bind then fails.
   void error(const std::string& message) {
     raw_->error(raw_, message.c_str());
     failed_ = true;
@@ -92,7 +92,7 @@ class Binder {
   bool failed_ = false;
 };
 
-/// What observe() sees; all const. [rt]
+/// The scene in observe(); all const. [rt]
 class View {
  public:
   explicit View(const swage_view* raw) : raw_(raw) {}
@@ -130,15 +130,15 @@ class View {
   const swage_view* raw_;
 };
 
-/// What observe() may say. [rt]
+/// Outputs of observe(). [rt]
 class Verdict {
  public:
   explicit Verdict(const swage_verdict* raw) : raw_(raw) {}
 
-  /// The cue of an object from now on.
+  /// Sets the cue of an object from now on.
   void cue(uint32_t object, Cue cue) const { raw_->cue(raw_, object, cue); }
   void clear_cue(uint32_t object) const { raw_->cue(raw_, object, kNone); }
-  /// The cue of a mark from now on; p_W moves it.
+  /// Sets the cue of a mark from now on; p_W moves the mark.
   void mark(Mark mark, Cue cue, const swage_vec3* p_W = nullptr) const { raw_->mark(raw_, mark, cue, p_W); }
   void clear_mark(Mark mark) const { raw_->mark(raw_, mark, kNone, nullptr); }
   void metric(Metric metric, double value) const { raw_->metric(raw_, metric, value); }
@@ -169,18 +169,18 @@ class Lesson : public WithParams<P> {
 
   /// Declares metrics, cues, events, phases and private numbers. [main]
   virtual void build(const P& params, LessonBuilder& builder) = 0;
-  /// Finds what it watches in the scene. [main]
+  /// Finds the objects, signals and events that it watches in the scene. [main]
   virtual void bind(const Scene& scene, Binder& binder) {
     static_cast<void>(scene);
     static_cast<void>(binder);
   }
-  /// Looks at one step; `state` holds the private numbers. [rt]
+  /// Observes one step; `state` holds the private numbers. [rt]
   virtual void observe(const View& view, const Verdict& verdict, std::span<double> state) SWAGE_RT = 0;
-  /// Private numbers back to the start (the host has set them to zero). [rt]
+  /// Sets the private numbers to their start (the host has set them to zero). [rt]
   virtual void reset(std::span<double> state) SWAGE_RT { static_cast<void>(state); }
 
  protected:
-  /// Whether the attempt is practice: limits of force and time are then told and end nothing. Known from activate on. [any]
+  /// Whether the attempt is practice: limits of force and time are then reported and do not end it. Known from activate on. [any]
   bool is_practice() const {
     const auto* attempt = this->template host_extension<swage_host_attempt>(SWAGE_HOST_ATTEMPT);
     return attempt != nullptr && attempt->mode(&this->host()) == SWAGE_ATTEMPT_PRACTICE;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object: something in the scene. The short way: declare bodies and shapes in build(), push in forces().
-// The free way: inherit Solver as well and answer for your own mechanics.
+// An object: something in the scene. Most objects declare bodies and shapes in build() and add forces in forces().
+// An object with its own mechanics inherits Solver as well and moves its flexible bodies itself.
 //
 //   class Ball final : public swage::Object<BallParams>, public swage::Solid { ... };
 //   SWAGE_EXPORT(Ball)
@@ -10,6 +10,7 @@
 #include <swage/abi/object.h>
 #include <swage/plugin.hpp>
 #include <swage/step.hpp>
+#include <swage/visual.hpp>
 
 namespace swage {
 
@@ -32,20 +33,20 @@ class Object : public WithParams<P> {
   virtual void build(const P& params, ObjectBuilder& builder) = 0;
   /// Adds forces and sets drives, before contacts. [rt]
   virtual void forces(const Step& step) SWAGE_RT { static_cast<void>(step); }
-  /// After the step: signals. [rt]
+  /// Writes the signals, after the step. [rt]
   virtual void finish(const Step& step) SWAGE_RT { static_cast<void>(step); }
-  /// Private state to the start, also before the first step; the host has put the bodies back. [rt]
+  /// Resets the private state, also before the first step; the bodies are at their start poses. [rt]
   virtual void reset(const Step& step) SWAGE_RT { static_cast<void>(step); }
 };
 
-/// Own mechanics of flexible bodies. Per step: advance, mobility for all points of contact, apply_impulses with their
+/// Mechanics of flexible bodies. Per step: advance, mobility for all points of contact, apply_impulses with their
 /// impulses.
 class Solver {
  public:
   virtual ~Solver() = default;
   /// Free motion over dt: writes poses and twists of flexible bodies. [rt]
   virtual void advance(const Step& step) SWAGE_RT = 0;
-  /// How the points move when pushed: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n row-major [m/s per N
+  /// Velocities of the points under impulses j: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n row-major [m/s per N
   /// s], symmetric, positive semi-definite. [rt]
   virtual void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                           double* W) SWAGE_RT = 0;
@@ -54,7 +55,7 @@ class Solver {
                      const double* impulse) SWAGE_RT = 0;
 };
 
-/// The same for an object with chains: place[i] says where on its chain points[i] is.
+/// Solver of an object with chains: place[i] is the place of points[i] on its chain.
 class ChainSolver {
  public:
   virtual ~ChainSolver() = default;
@@ -65,21 +66,21 @@ class ChainSolver {
                      std::span<const swage_chain_place> place, const double* impulse) SWAGE_RT = 0;
 };
 
-/// Beside a Solver: the free surface is not where the shapes are.
+/// Inherited beside Solver by an object whose free surface differs from its shapes.
 class Surface {
  public:
   virtual ~Surface() = default;
-  /// By how much the free surface is displaced from the shape at each point: 3 n [m]. Asked after mobility. [rt]
+  /// Writes the displacement of the free surface from the shape at each point: 3 n [m]. Called after mobility. [rt]
   virtual void displacement(const Step& step, std::span<const swage_contact_point> points,
                             double* u_W) SWAGE_RT = 0;
 };
 
-/// Its surface has dents that the shapes do not show; for the eye only.
-class Dented {
+/// Primitives drawn on the object that its shapes do not contain; for drawing only.
+class Drawing {
  public:
-  virtual ~Dented() = default;
-  /// Writes at most out.size() dents, returns how many. After finish(). [rt]
-  virtual uint32_t dents(const Step& step, std::span<swage_dent> out) SWAGE_RT = 0;
+  virtual ~Drawing() = default;
+  /// Adds primitives to `out`. Called after finish() when a snapshot is taken; must not change state. [rt]
+  virtual void draw(const Step& step, Visuals& out) SWAGE_RT = 0;
 };
 
 /// Its COLLIDES shapes resist penetration. A promise without functions.
@@ -97,7 +98,7 @@ class Graspable {
 class Gripper {
  public:
   virtual ~Gripper() = default;
-  /// Where the jaws are and how far they are open. [rt]
+  /// Writes the place and opening of the jaws. [rt]
   virtual void describe(const Step& step, swage_gripper_state& out) SWAGE_RT = 0;
 };
 
@@ -115,9 +116,9 @@ class Piercing {
 class Pierceable {
  public:
   virtual ~Pierceable() = default;
-  /// Its laws, constant while it is active. [rt]
+  /// Writes its properties, constant while active. [rt]
   virtual void law(const Step& step, swage_pierceable_law& out) SWAGE_RT = 0;
-  /// Where a point is in it. [rt]
+  /// Locates a point relative to its surfaces. [rt]
   virtual void locate(const Step& step, swage_vec3 p_W, swage_pierceable_place& out) SWAGE_RT = 0;
 };
 
@@ -136,7 +137,7 @@ inline constexpr Entry kNearest{"nearest", 32, kRt, When::kActive};
 inline constexpr Entry kLaw{"law", 33, kRt, When::kActive};
 inline constexpr Entry kLocateIn{"locate", 28, kRt, When::kActive};
 inline constexpr Entry kDisplacement{"displacement", 29, kRt, When::kActive};
-inline constexpr Entry kDents{"dents", 30, kRt, When::kActive};
+inline constexpr Entry kDraw{"draw", 30, kRt, When::kActive};
 
 /// The tables that object T offers, and the list of its traits.
 template <class T>
@@ -204,10 +205,12 @@ struct ObjectTables {
       part<Surface>(h).displacement(Step(s), {point, n}, u_W);
     });
   }
-  static swage_result dents(swage_instance* i, Raw s, uint32_t capacity, swage_dent* out,
-                            uint32_t* n) noexcept {
-    return guarded<T>(i, kDents, [&](auto&, Holder<T>& h) {
-      *n = part<Dented>(h).dents(Step(s), {out, capacity});
+  static swage_result draw(swage_instance* i, Raw s, const swage_coupling_step*, uint32_t capacity, swage_visual* out,
+                           uint32_t* n) noexcept {
+    return guarded<T>(i, kDraw, [&](auto&, Holder<T>& h) {
+      Visuals list({out, capacity});
+      part<Drawing>(h).draw(Step(s), list);
+      *n = list.size();
     });
   }
   static swage_result place(swage_instance* i, Raw s, double where, swage_piercing_place* out) noexcept {
@@ -252,9 +255,9 @@ struct ObjectTables {
       static constexpr swage_surface surface{displacement};
       if (same(id, SWAGE_EXT_SURFACE)) return &surface;
     }
-    if constexpr (std::is_base_of_v<Dented, T>) {
-      static constexpr swage_dents dented{dents};
-      if (same(id, SWAGE_EXT_DENTS)) return &dented;
+    if constexpr (std::is_base_of_v<Drawing, T>) {
+      static constexpr swage_visuals drawing{draw};
+      if (same(id, SWAGE_EXT_VISUAL)) return &drawing;
     }
     if constexpr (kPiercing) {
       static constexpr swage_piercing piercing{place, nearest};

@@ -39,7 +39,7 @@ struct Field {
   void (*assign)(void* params, const swage_value& value) = nullptr;                 // host's value -> member
   void (*read)(const void* params, double number[4], const char** text) = nullptr;  // member -> default
 
-  /// May change while the scene runs; the plugin hears of it through changed(). Not for texts and files.
+  /// May change while the scene runs; the host then calls changed(). Not for texts and files.
   consteval Field live() const {
     if (param.type == SWAGE_PARAM_TEXT || param.type == SWAGE_PARAM_FILE) throw "a text cannot be live";
     return with(SWAGE_PARAM_LIVE);
@@ -84,7 +84,7 @@ struct MemberOf<Member> {
 template <class T>
 inline constexpr bool kIsInteger = std::integral<T> && !std::same_as<T, bool>;
 
-/// lower case letters, digits and single underscores, starting with a letter
+/// True for lower case letters, digits and single underscores, starting with a letter.
 constexpr bool snake_case(std::string_view id) {
   if (id.empty() || id.front() < 'a' || id.front() > 'z' || id.back() == '_') return false;
   char last = 0;
@@ -264,7 +264,7 @@ consteval Field interval(const char* id, const char* label, const char* unit, co
 
 namespace detail {
 
-/// The table of plugin T as the host sees it, and how the host's values become a Params.
+/// The table of plugin T for the host, and the conversion of the host's values to Params.
 template <class T>
 struct Table {
   using Params = typename T::Params;
@@ -283,7 +283,7 @@ struct Table {
     return false;
   }
 
-  /// False when the parameter is not one that may change.
+  /// Changes one parameter; false when it is not live().
   static bool change(uint32_t index, const swage_value& value, Params& params) {
     if constexpr (kHasFields) {
       if (index >= count() || (T::fields[index].param.flags & SWAGE_PARAM_LIVE) == 0) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Another object, spoken to through its traits. Couplings and lessons meet objects this way and never know
+// Another object, used through its traits. Couplings and lessons use objects in this way, without knowing
 // their class.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace swage {
 
-/// An object of somebody else's plugin. Cheap to copy; keep it from bind() on.
+/// An object of another plugin. Cheap to copy; keep it from bind() on.
 class Peer {
  public:
   Peer() = default;
@@ -32,41 +32,41 @@ class Peer {
     return table<Table>(raw_, id);
   }
 
-  /// Place on its centre line nearest to p_W; nothing when it cannot say. [rt]
+  /// Place on its centre line nearest to p_W; empty when the call fails. [rt]
   std::optional<swage_graspable_place> locate(const Step& step, swage_vec3 p_W) const SWAGE_RT {
     swage_graspable_place place{};
     if (graspable_ == nullptr || graspable_->locate(raw_, step.raw(), p_W, &place) != SWAGE_OK)
       return std::nullopt;
     return place;
   }
-  /// Its jaws; nothing when it cannot say. [rt]
+  /// State of its jaws; empty when the call fails. [rt]
   std::optional<swage_gripper_state> describe(const Step& step) const SWAGE_RT {
     swage_gripper_state state{};
     if (gripper_ == nullptr || gripper_->describe(raw_, step.raw(), &state) != SWAGE_OK) return std::nullopt;
     return state;
   }
 
-  /// Place of a piercing thing at s; nothing when it cannot say. [rt]
+  /// Place at s of an object with the trait piercing; empty when the call fails. [rt]
   std::optional<swage_piercing_place> place(const Step& step, double s) const SWAGE_RT {
     swage_piercing_place place{};
     if (piercing_ == nullptr || piercing_->place(raw_, step.raw(), s, &place) != SWAGE_OK)
       return std::nullopt;
     return place;
   }
-  /// Its place nearest to p_W. [rt]
+  /// Place nearest to p_W of such an object. [rt]
   std::optional<swage_piercing_place> nearest(const Step& step, swage_vec3 p_W) const SWAGE_RT {
     swage_piercing_place place{};
     if (piercing_ == nullptr || piercing_->nearest(raw_, step.raw(), p_W, &place) != SWAGE_OK)
       return std::nullopt;
     return place;
   }
-  /// The laws of a pierceable thing. [rt]
+  /// Properties of a pierceable object. [rt]
   std::optional<swage_pierceable_law> law(const Step& step) const SWAGE_RT {
     swage_pierceable_law law{};
     if (pierceable_ == nullptr || pierceable_->law(raw_, step.raw(), &law) != SWAGE_OK) return std::nullopt;
     return law;
   }
-  /// Where p_W is in a pierceable thing. [rt]
+  /// Place of p_W in a pierceable object. [rt]
   std::optional<swage_pierceable_place> inside(const Step& step, swage_vec3 p_W) const SWAGE_RT {
     swage_pierceable_place place{};
     if (pierceable_ == nullptr || pierceable_->locate(raw_, step.raw(), p_W, &place) != SWAGE_OK)

@@ -17,7 +17,7 @@ namespace swage {
 
 namespace detail {
 
-/// "org.example.clip": two words or more of lower case letters, digits and underscores
+/// True for ids as "org.example.clip": two words or more of lower case letters, digits and underscores.
 consteval bool reverse_domain(std::string_view id) {
   size_t words = 0;
   while (true) {
@@ -29,7 +29,7 @@ consteval bool reverse_domain(std::string_view id) {
   }
 }
 
-/// "1.2.0"
+/// True for versions as "1.2.0".
 consteval bool three_numbers(std::string_view version) {
   int dots = 0;
   char last = '.';
@@ -93,13 +93,13 @@ struct Who {
 #define SWAGE_DETAIL_CHECKED ", thread checks off"
 #endif
 
-/// Where the bundle lies; set by init.
+/// Folder of the bundle; set by init.
 inline std::string& bundle() {
   static std::string folder;
   return folder;
 }
 
-/// The C side of a library that holds Plugins.
+/// The C tables of a library that holds Plugins.
 template <class... Plugins>
 struct Library {
   static_assert(sizeof...(Plugins) > 0, "SWAGE_EXPORT needs at least one plugin");
@@ -139,7 +139,7 @@ struct Library {
     }
     return rows;
   }
-  /// A static array of the plugin's class, where it has it.
+  /// A static array of the class of plugin `id`; nullptr and 0 when the class has none.
   template <class Row, class Array>
   static const Row* rows(const char* id, uint32_t* n, Array array) noexcept {
     const Row* found = nullptr;
@@ -155,7 +155,7 @@ struct Library {
     static_cast<void>(((same(id, Plugins::id) ? fill.template operator()<Plugins>() : false) || ...));
     return found;
   }
-  /// A lesson's card: the arrays `metrics`, `cues`, `labels` and `criteria` of its class.
+  /// The card of a lesson: the arrays `metrics`, `cues`, `labels` and `criteria` of its class.
   static const swage_metric_info* metrics(const char* id, uint32_t* n) noexcept {
     return rows<swage_metric_info>(id, n, []<class T>() -> const auto& requires requires { T::metrics; } { return T::metrics; });
   }
@@ -193,7 +193,7 @@ T& self(swage_instance* instance) {
   return *detail::Holder<T>::of(instance).plugin;
 }
 
-/// What SWAGE_EXPORT exports; tests may make one without a library.
+/// Makes the entry that SWAGE_EXPORT exports; tests can use one without a library.
 template <class... Plugins>
 constexpr swage_entry make_entry() {
   using L = detail::Library<Plugins...>;

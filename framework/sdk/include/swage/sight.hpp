@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A device that sees the scene before it answers: a scripted hand that aims at what is really there.
+// A device that observes the scene before it returns a sample: a scripted hand that aims at the real positions.
 //
 //   class Surgeon final : public swage::SeeingDevice<SurgeonParams> {
 //    public:
@@ -15,12 +15,12 @@
 
 namespace swage {
 
-/// The scene of now: all that a lesson sees, and where the lesson's points stand. [rt]
+/// The present scene: all that a lesson sees, and the positions of the lesson's point marks. [rt]
 class Sight {
  public:
   explicit Sight(const swage_sight* raw) : raw_(raw) {}
   View view() const { return View(raw_->view); }
-  /// Where a point mark stands, m in W. `mark`: index as in bind().
+  /// Position of a point mark, m in W. `mark`: index as in bind().
   const swage_vec3& mark(uint32_t mark) const {
     assert(mark < raw_->n_mark);
     return raw_->mark_p_W[mark];
@@ -35,7 +35,7 @@ template <class T>
 struct SeeingDeviceTables;
 }
 
-/// Base of a LOCKSTEP device that sees.
+/// Base of a LOCKSTEP device that observes the scene.
 template <class P = NoParams>
 class SeeingDevice : public Device<P> {
  public:
@@ -43,9 +43,9 @@ class SeeingDevice : public Device<P> {
   template <class T>
   using Tables = detail::SeeingDeviceTables<T>;
 
-  /// Finds what it will look at, by name; refuse() says what is missing. [main]
+  /// Finds the objects and marks that it needs, by name; refuse() reports a missing one. [main]
   virtual void bind(const Scene& scene, std::span<const swage_scene_mark> marks) = 0;
-  /// Looks at the scene as the last step left it; exchange() follows. [rt]
+  /// Observes the scene after the last step; exchange() follows. [rt]
   virtual void look(const Sight& sight) SWAGE_RT = 0;
 };
 

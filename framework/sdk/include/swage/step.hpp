@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One object as the step sees it: the host's arrays with names and checked indices. [rt]
+// View of one object in a step: the host's arrays with names and checked indices. [rt]
 #pragma once
 
 #include <swage/abi/object.h>
@@ -30,10 +30,10 @@ class Step {
   double dt() const { return raw_->dt_s; }                    // s
   double scene_length() const { return raw_->scene_length; }  // m, tolerances are relative to it
   swage_vec3 gravity() const { return raw_->gravity; }        // m/s2
-  /// What the bound device says, or nullptr.
+  /// Values of the bound device, or nullptr.
   const swage_input* input() const { return raw_->input; }
 
-  /// X_WB. Writable for own bodies, in the calls of Solver only.
+  /// X_WB. Writable for flexible bodies, in the calls of Solver only.
   swage_pose& pose(Body body) const { return raw_->X_WB[checked(body, raw_->n_body)]; }
   swage_twist& twist(Body body) const { return raw_->V_WB[checked(body, raw_->n_body)]; }
   swage_wrench& wrench(Body body) const { return raw_->F_B_W[checked(body, raw_->n_body)]; }
@@ -57,10 +57,10 @@ class Step {
   double hinge_angle(Hinge hinge) const { return raw_->hinge_angle[checked(hinge, raw_->n_hinge)]; }  // rad
   double hinge_rate(Hinge hinge) const { return raw_->hinge_rate[checked(hinge, raw_->n_hinge)]; }    // rad/s
   double hinge_torque(Hinge hinge) const { return raw_->hinge_torque[checked(hinge, raw_->n_hinge)]; }  // N m
-  /// Written in forces().
+  /// Drive of a hinge, written in forces().
   swage_drive& drive(Hinge hinge) const { return raw_->drive[checked(hinge, raw_->n_hinge)]; }
 
-  /// Written in finish().
+  /// Writes a signal; in finish().
   void signal(Signal signal, double value) const { raw_->signal[checked(signal, raw_->n_signal)] = value; }
 
   /// The private numbers, as declared with builder.state<T>().

@@ -16,11 +16,11 @@ namespace swage {
 class Strand {
  public:
   virtual ~Strand() = default;
-  /// Constant while it is active. [rt]
+  /// Writes the properties of the thread, constant while active. [rt]
   virtual void strand_law(const Step& step, swage_strand_law& out) SWAGE_RT = 0;
-  /// The place of the material at s; beyond an end, that end. [rt]
+  /// Writes the place of the material at s; for an s beyond an end, that end. [rt]
   virtual void strand_place(const Step& step, double s, swage_strand_place& out) SWAGE_RT = 0;
-  /// The place of the centre line that is nearest to p_W. [rt]
+  /// Writes the place on the centre line nearest to p_W. [rt]
   virtual void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) SWAGE_RT = 0;
 };
 
@@ -44,7 +44,7 @@ const swage_strand* strand_table() {
   return &table;
 }
 
-/// A thread of somebody else's plugin. Cheap to copy; keep it from bind() on.
+/// A thread of another plugin. Cheap to copy; keep it from bind() on.
 class StrandPeer {
  public:
   StrandPeer() = default;

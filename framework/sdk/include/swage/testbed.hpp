@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A host of a few lines, for an author's own unit tests: no scene, no contacts, no clock. A bench makes one instance of a
-// plugin, plays the host to it through the same C tables, and remembers all that it said.
+// A minimal host for unit tests of a plugin: no scene, no contacts, no clock. A bench makes one instance of a plugin, calls it
+// through the same C tables as the host does, and records all that it reports.
 //
 //   swage::testbed::ObjectBench<Clip> bench;
 //   bench.set("stiffness", 2);
@@ -10,7 +10,7 @@
 //   bench.forces();
 //   CHECK(bench.wrench[0].f.x < 0);
 //
-// For what a scene does with a plugin there is `swage validate`.
+// `swage validate` tests a plugin in a scene.
 #pragma once
 
 #include <swage/coupling.hpp>
@@ -25,7 +25,7 @@
 
 namespace swage::testbed {
 
-/// An object with its arrays; bodies stand where they were declared, O in the origin of the world.
+/// An object with its arrays; bodies are at their declared poses, O at the origin of the world.
 template <class T>
 class ObjectBench : public Bench<T> {
  public:
@@ -36,7 +36,7 @@ class ObjectBench : public Bench<T> {
   std::vector<double> hinge_angle, hinge_rate, hinge_torque;
   std::vector<swage_drive> drive;
   std::vector<double> state, signal;
-  swage_input input{kIdentity, 0, 0, 0, 0};  // what a device says, once `input.valid` is set
+  swage_input input{kIdentity, 0, 0, 0, 0};  // of a device; passed to the object once `input.valid` is not 0
   swage_object_step step{};
 
   /// configure, activate, reset. False when the plugin refused; see declared.errors and host.reports.
@@ -61,7 +61,7 @@ class ObjectBench : public Bench<T> {
     object()->reset(this->raw, fill());
     return true;
   }
-  /// Clears what was added, then lets the object add its forces.
+  /// Clears the forces added before, then calls forces().
   swage_result forces() {
     wrench.assign(wrench.size(), {});
     particle_f.assign(particle_f.size(), 0);
@@ -98,7 +98,7 @@ class ObjectBench : public Bench<T> {
   const swage_object* object() const { return this->template get<swage_object>(SWAGE_EXT_OBJECT); }
 };
 
-/// A coupling between two objects without bodies; contacts are laid before it.
+/// A coupling between two objects without bodies; the test fills `contacts`.
 template <class T>
 class CouplingBench : public Bench<T> {
  public:
@@ -120,7 +120,7 @@ class CouplingBench : public Bench<T> {
     return true;
   }
   swage_result resolve() { return table()->resolve(this->raw, fill()); }
-  /// Of a coupling with Ties: asks for them; `ties` has them then. Lay f_a_W and plastic_slip_W into them before on_solved().
+  /// Calls ties() of a coupling with Ties; the result is in `ties`. Set their f_a_W and plastic_slip_W before on_solved().
   swage_result ask_ties(uint32_t capacity = 64) {
     uint32_t n = 0;
     ties.assign(capacity, {});
@@ -154,7 +154,7 @@ class CouplingBench : public Bench<T> {
   }
 };
 
-/// A device that is asked whenever the test likes.
+/// A device whose exchange() the test calls.
 template <class T>
 class DeviceBench : public Bench<T> {
  public:
@@ -166,7 +166,7 @@ class DeviceBench : public Bench<T> {
     this->host.role = (table()->flags & SWAGE_DEVICE_LOCKSTEP) != 0 ? SWAGE_THREAD_RT : SWAGE_THREAD_IO;
     return true;
   }
-  /// Asks at a simulated time; the answer is in `sample`.
+  /// Calls exchange() at a simulated time; the result is in `sample`.
   swage_result exchange(double time_s) {
     command.time_s = time_s;
     return table()->exchange(this->raw, &command, &sample);
@@ -207,7 +207,7 @@ class LessonBench : public Bench<T> {
     table()->reset(this->raw, state.data());
     return true;
   }
-  /// One step of the scene as it stands.
+  /// Calls observe() with the present scene.
   swage_result observe() {
     swage_view view{};
     view.struct_size = sizeof view;

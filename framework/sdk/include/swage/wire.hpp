@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The trait of a wire that bends for good (abi/wire.h), for both sides. An object inherits Wire and returns wire_table<T>() from
+// The trait of a wire that bends plastically (abi/wire.h), for both sides. An object inherits Wire and returns wire_table<T>() from
 // extension(); a coupling keeps a WirePeer.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace swage {
 class Wire {
  public:
   virtual ~Wire() = default;
-  /// Where it gave way and where it broke since this was asked last. [rt]
+  /// Writes where the wire collapsed and where it broke, each once in an attempt. [rt]
   virtual void wire_end(const Step& step, swage_wire_end& out) SWAGE_RT = 0;
 };
 
@@ -29,7 +29,7 @@ const swage_wire* wire_table() {
   return &table;
 }
 
-/// A wire of somebody else's plugin. Cheap to copy; keep it from bind() on.
+/// A wire of another plugin. Cheap to copy; keep it from bind() on.
 class WirePeer {
  public:
   WirePeer() = default;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Swage ABI: an object with one chain whose mechanics is a band. C11 and C++.
+ * Swage ABI: an object with one chain whose stiffness matrix is a band. C11 and C++.
  */
 #ifndef SWAGE_ABI_BAND_H
 #define SWAGE_ABI_BAND_H
@@ -11,22 +11,22 @@
 extern "C" {
 #endif
 
-/* Beside swage.object.solver/2, of an object with one chain (SWAGE_HOST_CHAIN) on its one flexible body. Each of the n vertices has four
- * unknowns: its displacement [m], and the rotation [rad] about itself of the segment that begins there. The host then solves
+/* Offered beside swage.object.solver/2 by an object with one chain (SWAGE_HOST_CHAIN) on its one flexible body. Each of the n vertices
+ * has four unknowns: its displacement [m], and the rotation [rad] of the segment that begins there about its own axis. The host then solves
  * contacts, ties, rigid bodies and the chain together, each contact with the weights of its place (swage_chain_place); mobility
- * and apply_impulses are not called. What it costs grows with the contacts and not with their square.
+ * and apply_impulses are not called. The cost of a step is linear in the number of contacts.
  *
- * Per step: advance, as ever; then, where something is near, linearise and displace. linearise answers the step that begins
- * where advance began, linear about where advance has left the chain: with the change q from there,
+ * Per step: advance, as for every solver; then, where a contact or tie is possible, linearise and displace. linearise returns the
+ * equations of the same step (from the state where advance began), linearised at the vertices x that advance wrote. q: the change of x.
  *
  *     stiffness q + gradient = forces of contacts          stiffness = M/h^2 + K, gradient = M/h^2 (x - x_free) + dE/dx
  *
  * stiffness: 4 n columns of SWAGE_BAND_COLUMN numbers; entry k of column j couples the unknowns j and j + k, k up to
- * SWAGE_BAND_REACH (what is beyond the last unknown, and the last number of a column, are 0). It is positive definite: where the
- * host cannot factor it, it asks again with `stiffer` = 1, 2 .. SWAGE_BAND_STIFFER, each of which should be nearer to it. An
- * unknown that stays where it is has a diagonal of 0; so has the rotation at the last vertex. All numbers are 0 on entry.
- * displace hands over the change q and, for the eyes of the object, the impulses at the points, 3 each [N s], that are in it
- * already: write final vertices, velocities, poses and twists. */
+ * SWAGE_BAND_REACH (entries beyond the last unknown, and the last number of a column, are 0). It must be positive definite: where the
+ * host cannot factor it, it calls again with `stiffer` = 1, 2 .. SWAGE_BAND_STIFFER, each time for a matrix nearer to positive definite.
+ * An unknown that is held fixed has a diagonal of 0; so has the rotation at the last vertex. All numbers are 0 on entry.
+ * displace gets the change q and writes final vertices, velocities, poses and twists. The impulses at the points, 3 each [N s], are
+ * already part of q; they are passed for the object's information. */
 #define SWAGE_EXT_BAND "swage.object.band/1"
 #define SWAGE_BAND_UNKNOWNS 4
 #define SWAGE_BAND_REACH 10

@@ -5,7 +5,7 @@
  * Conventions of the whole boundary:
  *   - SI units; world frame W right-handed with +Z up; quaternions w x y z, unit, Hamilton.
  *   - X_WB is the pose of frame B in frame W: p_W = X_WB.p + rotate(X_WB.q, p_B).
- *   - Only the types below, sized integers and pointers to them cross. No ownership crosses: who creates, destroys.
+ *   - Only the types below, sized integers and pointers to them cross. No ownership crosses: the side that creates an object destroys it.
  *   - Each function is tagged with the thread role that may call it:
  *       [main] session thread, may allocate, read files and report text
  *       [rt]   the step, once per millisecond: no allocation, lock, I/O, throw or log
@@ -35,17 +35,17 @@ typedef int32_t swage_result;
 #define SWAGE_ERROR (-1) /* the instance asks to be quarantined */
 #define SWAGE_FAULT (-2) /* the wrapper stopped an exception; the host quarantines */
 
-/* Codes of swage_host.fault: a plugin's own are 0 and above; below stands what the wrapper found. a: index of the entry. */
+/* Codes of swage_host.fault: a plugin's own are 0 and above; the C++ wrapper's are below 0, with a: index of the entry. */
 #define SWAGE_FAULT_THROWN (-1) /* an exception was stopped */
 #define SWAGE_FAULT_THREAD (-2) /* called from the wrong thread; b: the SWAGE_THREAD_* that called */
-#define SWAGE_FAULT_ORDER (-3)  /* called while it may not be, e.g. a step before activate */
+#define SWAGE_FAULT_ORDER (-3)  /* called out of order, e.g. a step before activate */
 
 /* Severities of swage_host.report. */
 #define SWAGE_NOTE 0
 #define SWAGE_WARNING 1
 #define SWAGE_SEVERE 2
 
-/* Thread roles, as swage_host.thread_kind answers them. */
+/* Thread roles, as swage_host.thread_kind returns them. */
 #define SWAGE_THREAD_MAIN 1
 #define SWAGE_THREAD_RT 2
 #define SWAGE_THREAD_IO 3

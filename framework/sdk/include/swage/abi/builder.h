@@ -17,9 +17,9 @@
 #define SWAGE_MOTION_FOLLOWS 1 /* takes the pose of the device that the lesson binds to the object; speed-limited, swept */
 #define SWAGE_MOTION_DYNAMIC 2 /* integrated by the host under forces and contacts */
 #define SWAGE_MOTION_HINGED 3  /* one angle about an axis fixed in its parent, with a force-limited drive (see hinge) */
-#define SWAGE_MOTION_FLEXIBLE 4    /* the object's own solver moves it: extension swage.object.solver/1 */
+#define SWAGE_MOTION_FLEXIBLE 4 /* moved by the object's own solver: extension swage.object.solver/1 */
 
-/* What declare() declares; each kind counts its own indices. */
+/* Kinds of declaration for declare(); each counts its own indices. */
 #define SWAGE_DECLARE_SIGNAL 1 /* a number per step, e.g. "grasp.force" in "N" */
 #define SWAGE_DECLARE_METRIC 2 /* LESSON: a result, e.g. "grasp.tries" in "1" */
 #define SWAGE_DECLARE_CUE 3    /* LESSON: a meaning, e.g. "grasp.good"; never a colour */
@@ -38,7 +38,7 @@
 #define SWAGE_SHAPE_CONVEX 4 /* convex polyhedron given by vertices and planar faces */
 #define SWAGE_SHAPE_CYLINDER 5 /* flat ends */
 #define SWAGE_SHAPE_HEIGHT_FIELD 6 /* a surface over a grid; see SWAGE_HOST_HEIGHT_FIELD */
-#define SWAGE_SHAPE_CHAIN 7 /* a wire of many pieces that its object bends; see SWAGE_HOST_CHAIN */
+#define SWAGE_SHAPE_CHAIN 7 /* a flexible wire of many pieces, moved by its object; see SWAGE_HOST_CHAIN */
 
 /* Mass of a dynamic body. Its frame B must sit at the centre of mass with axes along the principal axes of inertia. */
 typedef struct swage_mass {
@@ -91,20 +91,20 @@ struct swage_builder {
   uint32_t (*state)(swage_builder*, uint32_t n);
   /* what: SWAGE_DECLARE_*; id: dotted lower case; unit: SI, "1" for a pure number; doc: one sentence. */
   uint32_t (*declare)(swage_builder*, int32_t what, const char* id, const char* unit, const char* doc);
-  /* Ties a problem to a parameter ("" for the whole instance); several may be reported before configure fails. */
+  /* Reports a problem with a parameter ("" for the whole instance); several may be reported before configure fails. */
   void (*error)(swage_builder*, const char* param_id, const char* message);
 };
 
 /* Surface over a grid in frame H: vertex (i, j) at (i dx, j dy, height[j nx + i]), outside +z. Each cell is cut from its
  * vertex (i, j) to (i + 1, j + 1) into two triangles. A surface that changes keeps its heights in nx ny of the instance's
  * private doubles: declare them with state(), name the first here, and write them in reset and whenever they change;
- * contacts are found on the heights of the moment. */
+ * contacts are found on the present heights. */
 typedef struct swage_height_field {
   swage_pose X_BH;
   uint32_t nx, ny;      /* vertices, 2 to 129 */
   double dx, dy;        /* m, sides of a cell */
-  double below;         /* m, > 0: how far the solid reaches under the surface; a centre line deeper than that touches nothing */
-  const double* height; /* nx ny, m: as drawn, and for a surface that does not change */
+  double below;         /* m, > 0: thickness of the solid under the surface; a centre line deeper than that has no contact */
+  const double* height; /* nx ny, m: for drawing, and for contacts where `state` is SWAGE_NONE */
   uint32_t state;       /* first of nx ny private doubles with the heights, or SWAGE_NONE */
   uint32_t reserved;
 } swage_height_field;
@@ -115,24 +115,24 @@ typedef struct swage_host_height_field {
   uint32_t (*declare)(swage_builder*, uint32_t body, const swage_height_field*, uint32_t flags); /* [main] in configure */
 } swage_host_height_field;
 
-/* How much a step of this scene has room for. What does not fit is counted in the health of the loop: contacts beyond `points`
- * of one flexible body share the nearest point; contacts beyond `rows` of one island bear no force, the shallowest first. */
+/* Capacities of a step of this scene. What exceeds them is counted in the health record of the loop: contacts beyond `points`
+ * of one flexible body share the nearest point; beyond `rows` of one island the shallowest contacts bear no force. */
 typedef struct swage_capacities {
   uint32_t struct_size;
-  uint32_t contacts; /* found in a step */
-  uint32_t ties;     /* links of couplings in a step */
-  uint32_t points;   /* about which one object with swage.object.solver is asked at most */
-  uint32_t rows;     /* contacts and ties that are solved together with such objects */
+  uint32_t contacts; /* of a step */
+  uint32_t ties;     /* of all couplings in a step (swage_tie) */
+  uint32_t points;   /* contact points of one object with swage.object.solver */
+  uint32_t rows;     /* contacts and ties of one island with such an object */
   uint32_t bodies;   /* of the scene */
 } swage_capacities;
 
-/* The capacities of the scene, and a way to ask for more. A table that the host offers, see swage_host.get_extension. */
+/* Reads the capacities of the scene and reserves contact points. A table that the host offers, see swage_host.get_extension. */
 #define SWAGE_HOST_CAPACITIES "swage.host.capacities/1"
 typedef struct swage_host_capacities {
-  /* This object may be asked about so many points at once: room for them, up to 256. Returns what a body will have, 0 on
-   * failure. [main] in configure */
+  /* Reserves room for so many contact points of this object at once, up to 256. Returns the number that each of its bodies gets,
+   * 0 on failure. [main] in configure */
   uint32_t (*reserve_points)(swage_builder*, uint32_t points);
-  /* Of the whole scene; final from activate on. Writes at most struct_size bytes. [any] */
+  /* Capacities of the whole scene; final from activate on. Writes at most struct_size bytes. [any] */
   void (*read)(const swage_host*, swage_capacities* out);
 } swage_host_capacities;
 
@@ -140,27 +140,27 @@ SWAGE_STATIC_ASSERT(sizeof(swage_capacities) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_host_capacities) == 16, "frozen layout");
 /* A flexible wire (thread, rubber band): pieces between neighbouring vertices, thickened, with round joints and ends.
  *
- * Its shape of the moment is 8 n_vertex of the instance's private doubles, declared with state(); the first is named here:
+ * Its present shape lies in 8 n_vertex of the instance's private doubles, declared with state(); `state` is the first of them:
  *   [3 n] positions in W, m        [3 n] velocities in W, m/s        [n] arc lengths s, m        [n] radii, m
- * reset finds them as declared, at rest; the object writes them in its solver calls. A velocity leads a vertex, over the step,
- * from where it stood to where it stands. s is the material coordinate: it rises along the chain, names the material that is at a
- * vertex, and may change where an object moves its vertices along its material; friction remembers places by it. The radius is
- * that of the piece that begins at the vertex; 0: no piece is there, as where a thread is cut. */
+ * reset() finds them as declared, at rest; the object writes them in its solver calls. Velocity times dt is the displacement of the
+ * vertex over the step. s is the material coordinate: it increases along the chain, identifies the material at a vertex, and
+ * changes where an object moves its vertices along its material; friction stores its anchors by s. The radius is
+ * that of the piece that begins at the vertex; 0: there is no piece, as where a thread is cut. */
 #define SWAGE_CHAIN_SEGMENTS 1 /* straight pieces; circular arcs will be another kind */
 typedef struct swage_chain {
   uint32_t kind;          /* SWAGE_CHAIN_SEGMENTS */
   uint32_t n_vertex;      /* 2 to 513 */
-  const double* p_B;      /* 3 n_vertex, m: where they start, in B; no two neighbours at one place */
-  const double* s;        /* n_vertex, m, rising; NULL: the way along p_B */
+  const double* p_B;      /* 3 n_vertex, m: start positions in B; neighbours are distinct */
+  const double* s;        /* n_vertex, m, increasing; NULL: the arc length along p_B */
   const double* radius;   /* n_vertex - 1, m, >= 0: of each piece */
-  double bend_radius;     /* m, > 0: the least radius of curvature that it takes. Places nearer to each other along the chain than half
-                           * a circle of it, or of the wire's own radius, do not touch each other */
+  double bend_radius;     /* m, > 0: least radius of curvature of the chain. Two places have no contact with each other if they are
+                           * nearer along the chain than half a circle of this radius or of the wire's, the larger */
   uint32_t state;         /* first of 8 n_vertex private doubles */
   uint32_t reserved;
 } swage_chain;
 
-/* Declares chains. A table that the host offers, see swage_host.get_extension. The body is one with SWAGE_MOTION_FLEXIBLE. A chain
- * also touches itself, where a coupling joins the object with itself. */
+/* Declares chains. A table that the host offers, see swage_host.get_extension. The body must have SWAGE_MOTION_FLEXIBLE. Contacts
+ * of a chain with itself are found where a coupling joins the object with itself. */
 #define SWAGE_HOST_CHAIN "swage.host.chain/1"
 typedef struct swage_host_chain {
   uint32_t (*declare)(swage_builder*, uint32_t body, const swage_chain*, uint32_t flags); /* [main] in configure */

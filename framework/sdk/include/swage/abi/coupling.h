@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/coupling.h - what happens between two objects. A coupling names traits, never plugins.
+ * swage/abi/coupling.h - a coupling: the interaction of two objects. It names traits, never plugins.
  */
 #ifndef SWAGE_ABI_COUPLING_H
 #define SWAGE_ABI_COUPLING_H
@@ -10,7 +10,7 @@
 /* One contact between object a and object b, found by the host this step in a fixed order. */
 typedef struct swage_contact {
   uint32_t body_a, shape_a, body_b, shape_b; /* each object's own indices */
-  uint64_t feature;                          /* which features touch; equal from step to step while the touch lasts */
+  uint64_t feature;                          /* id of the two touching features; constant while the contact lasts */
   swage_vec3 p_W;                            /* m, midway between the surfaces */
   swage_vec3 n_W;                            /* unit, from b into a */
   double gap;                                /* m, negative when overlapping */
@@ -18,8 +18,8 @@ typedef struct swage_contact {
   double slip;                               /* m/s tangential speed; same timing as f_a_W */
   /* the law at this contact: a coupling may change these in resolve() */
   double friction;    /* Coulomb coefficient */
-  double stiffness;   /* N/m normal compliance of the touching surfaces; 0: here they pass through each other */
-  double restitution; /* 0..1, for what flies free */
+  double stiffness;   /* N/m, normal, of the touching surfaces; 0: this contact bears no force */
+  double restitution; /* 0..1, of impacts of bodies that are not held */
 } swage_contact;
 
 typedef struct swage_coupling_step {
@@ -40,7 +40,7 @@ typedef struct swage_coupling_step {
 typedef struct swage_coupling {
   const char* const* needs_a; /* traits that object a must offer, NULL-terminated, static */
   const char* const* needs_b;
-  uint32_t detects;  /* 1: the host finds contacts between a and b for the solver; 0: this coupling only looks */
+  uint32_t detects;  /* 1: the host finds contacts between a and b for the solver; 0: this coupling only observes */
   uint32_t reserved;
   swage_result (*bind)(swage_instance*, swage_instance* a, swage_instance* b);   /* [main & !active] after configure */
   swage_result (*resolve)(swage_instance*, const swage_coupling_step*);          /* [rt & active] detected, not solved */
@@ -48,62 +48,32 @@ typedef struct swage_coupling {
   void (*reset)(swage_instance*, const swage_coupling_step*);                    /* [rt & active] */
 } swage_coupling;
 
-/* A compliant link between a body of object a and one of object b, solved together with the contacts. Along its axis it sticks like
- * a bristle and slides beyond a limit; across it is a spring that gives way beyond its strength. With s the displacement of a
- * against b from where the tie is at rest:
+/* A compliant constraint between a body of object a and one of object b, solved together with the contacts. Along its axis it is
+ * a spring that slides beyond a limit (bristle friction); across the axis it is a spring that yields beyond its strength. With s the
+ * displacement of a relative to b from the rest position of the tie:
  *     f_along  = clamp(-stiffness_along s_along, -forward_limit, backward_limit)
  *     f_across = -stiffness_across s_across, returned radially to `strength` */
 typedef struct swage_tie {
   uint32_t body_a, body_b;   /* each object's own indices; SWAGE_NONE: the world */
-  swage_vec3 p_W;            /* m, where it acts on both; a b with a solver of its own gives at p_W less what offset_W is across */
-  swage_vec3 axis_W;         /* unit, direction in which a slides along b; turns with a, and on_solved() sees it turned */
-  swage_vec3 offset_W;       /* m, s at the poses that resolve() sees */
+  swage_vec3 p_W;            /* m, point of action on both; on a flexible b it is p_W less the part of offset_W across the axis */
+  swage_vec3 axis_W;         /* unit, sliding direction of a along b; turns with a, and on_solved() gets it turned */
+  swage_vec3 offset_W;       /* m, s at the poses of resolve() */
   double stiffness_across;   /* N/m */
   double stiffness_along;    /* N/m */
-  double strength;           /* N, most that it holds across the axis; HUGE_VAL: it never gives way */
-  double forward_limit;         /* N, most that it holds back a moving along +axis; HUGE_VAL: it never slides */
-  double backward_limit;          /* N, the same for a moving along -axis */
+  double strength;           /* N, greatest force across the axis; HUGE_VAL: it never yields */
+  double forward_limit;      /* N, greatest force against a motion of a along +axis; HUGE_VAL: it never slides */
+  double backward_limit;     /* N, the same against a motion of a along -axis */
   swage_vec3 f_a_W;          /* N on a; written by the host before on_solved() */
-  swage_vec3 plastic_slip_W;         /* m, the part of s that it gave up: slid along the axis, torn across it; same timing */
+  swage_vec3 plastic_slip_W; /* m, plastic part of s: slip along the axis, yield across it; same timing */
 } swage_tie;
 
-/* Offered by a coupling that has such links; anchors and bristles are its own state. resolve, then ties; the solve; on_solved, then finish. */
+/* Offered by a coupling with ties; their rest positions are its own state. Order: resolve, ties, the solve, on_solved, finish. */
 #define SWAGE_EXT_TIES "swage.coupling.ties/1"
 typedef struct swage_ties {
   swage_result (*ties)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tie* out, uint32_t* n); /* [rt] */
-  swage_result (*on_solved)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] same, solved */
+  swage_result (*on_solved)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] the solved ties */
 } swage_ties;
 
-/* What is drawn on the surface of object b: torn places, as flat capsules. Those of one wound are one region. Places are those of
- * now along the surface, and at rest across it: of b's dents only what is along normal_W displaces them. */
-#define SWAGE_EXT_TEARS "swage.coupling.tears/1"
-typedef struct swage_tear {
-  swage_vec3 a_W, b_W; /* m, ends of the capsule's middle line */
-  swage_vec3 normal_W; /* unit, of the surface */
-  double radius;       /* m */
-  uint32_t wound;      /* counts from 0 */
-  uint32_t reserved;
-} swage_tear;
-typedef struct swage_tears {
-  swage_result (*tears)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n); /* [rt] */
-} swage_tears;
-
-/* Of each torn region what its capsules do not say: where it leads, how far it is open, whether something is in it. */
-#define SWAGE_EXT_WOUNDS "swage.coupling.wounds/1"
-typedef struct swage_wound {
-  swage_vec3 p_W;      /* m, where the section of what tore it is, or was last; a place like those of a tear */
-  swage_vec3 inward_W; /* unit, the way that leads from there into b */
-  double depth;        /* m, how far along that way b has been opened */
-  double area;         /* m2, of the region */
-  uint32_t wound;      /* as in swage_tear */
-  uint32_t filled;     /* 1: something is in it, 0: it is empty */
-} swage_wound;
-typedef struct swage_wounds {
-  swage_result (*wounds)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_wound* out, uint32_t* n); /* [rt] */
-} swage_wounds;
-
-SWAGE_STATIC_ASSERT(sizeof(swage_tear) == 88, "frozen layout");
-SWAGE_STATIC_ASSERT(sizeof(swage_wound) == 72, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact) == 136, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_tie) == 168, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_ties) == 16, "frozen layout");

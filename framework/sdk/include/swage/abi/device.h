@@ -14,8 +14,8 @@
 #define SWAGE_DEVICE_LOCKSTEP 1u /* exchange is called on [rt], once per step: bit-exact; must be as quick as a step */
 #define SWAGE_DEVICE_FORCE 2u    /* takes forces */
 #define SWAGE_DEVICE_WORLD 4u    /* its poses are already in the world frame W (scripted hands, replays) */
-#define SWAGE_DEVICE_SCRIPTED 8u /* it plays a plan or a recording: its attempts are nobody's progress */
-#define SWAGE_DEVICE_POINTER 16u /* pointer and keys over the view lead it (SWAGE_HOST_POINTER): without a window nobody moves it */
+#define SWAGE_DEVICE_SCRIPTED 8u /* it plays a script or a recording: its attempts count for no trainee */
+#define SWAGE_DEVICE_POINTER 16u /* moved by pointer and keys over the view (SWAGE_HOST_POINTER): at rest without a window */
 
 /* Bits of swage_sample.valid. */
 #define SWAGE_VALID_POSE 1u
@@ -35,7 +35,7 @@ typedef struct swage_sample {
   uint32_t buttons, valid;
 } swage_sample;
 
-/* What the force guard lets through. The anchor lets a servo faster than the step close the loop by itself:
+/* Command to the device, limited by the force guard. The anchor lets a servo faster than the step close the loop by itself:
  * F = stiffness (anchor.p - x) + damping (anchor_twist.v - v), while younger than `deadline_s`. */
 typedef struct swage_command {
   double time_s;           /* simulated */
@@ -60,12 +60,12 @@ typedef struct swage_device {
 } swage_device;
 
 /* Host extension: what the person does with pointer and keyboard over the view. It arrives through the recorded command
- * ring, so that a mouse is as repeatable as any other device. Deltas since the last step. In a lesson that is mirrored for
+ * ring, so that a mouse is as repeatable as any other device. Increments since the last step. In a lesson that is mirrored for
  * the left hand the plugin sees the mirror image: camera, dx, and the keys A-D, Z-X, left-right, pgup-pgdn exchanged. */
 #define SWAGE_HOST_POINTER "swage.host.pointer/1"
 #define SWAGE_KEY_COUNT 64u
 typedef struct swage_pointer {
-  double dx, dy;    /* way over what is seen, in 10 mm, at every magnification; +x right, +y up */
+  double dx, dy;    /* displacement in the plane of view over 10 mm, at every magnification; +x right, +y up */
   double wheel;     /* notches, + away from the user */
   uint32_t buttons; /* bit 0 left, 1 middle, 2 right */
   uint32_t modifiers; /* bit 0 shift, 1 control, 2 alt */

@@ -8,8 +8,8 @@
 
 #include "plugin.h"
 
-#define SWAGE_MEDIUM_UNSET 0 /* the lesson names none: a thread is in still air, rigid bodies feel no fluid */
-#define SWAGE_MEDIUM_DRY 1   /* air; what is charged keeps its charge */
+#define SWAGE_MEDIUM_UNSET 0 /* none in the lesson: a thread is in still air, on rigid bodies no fluid acts */
+#define SWAGE_MEDIUM_DRY 1   /* air; charged objects keep their charge */
 #define SWAGE_MEDIUM_MOIST 2 /* air; surfaces carry a film of water */
 #define SWAGE_MEDIUM_WATER 3 /* everything is under water */
 typedef struct swage_environment {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/lesson.h - a lesson looks and judges; it never pushes. The same code judges live and re-judges recordings.
+ * swage/abi/lesson.h - a lesson observes and judges; it applies no forces. The same code judges live and re-judges recordings.
  */
 #ifndef SWAGE_ABI_LESSON_H
 #define SWAGE_ABI_LESSON_H
 
 #include "object.h"
 
-/* What bind() sees: everything with a name in the scene, in the order of the lesson file. Static while bound. */
+/* Scene card for bind(): everything with a name in the scene, in the order of the lesson file. Static while bound. */
 typedef struct swage_scene_object {
   swage_str name, plugin;
   uint32_t first_body, n_body;         /* into swage_view.X_WB */
@@ -35,7 +35,7 @@ typedef struct swage_view_event {
   double value;
 } swage_view_event;
 
-/* What observe() sees. */
+/* The scene in observe(), after a step. */
 typedef struct swage_view {
   uint32_t struct_size, n_body, n_particle, n_signal;
   uint64_t step;
@@ -64,14 +64,14 @@ typedef struct swage_lesson_binder {
   uint32_t struct_size, reserved;
   void* host_data;
   uint32_t (*mark)(struct swage_lesson_binder*, const swage_mark*); /* [main] */
-  void (*error)(struct swage_lesson_binder*, const char* message);  /* [main] e.g. a signal that nobody offers */
+  void (*error)(struct swage_lesson_binder*, const char* message);  /* [main] e.g. a signal that no instance offers */
 } swage_lesson_binder;
 
 typedef struct swage_verdict {
   uint32_t struct_size, reserved;
   void* host_data;
   void (*cue)(const struct swage_verdict*, uint32_t object, uint32_t cue);       /* [rt] SWAGE_NONE clears the object's cue */
-  void (*mark)(const struct swage_verdict*, uint32_t mark, uint32_t cue, const swage_vec3* p_W); /* [rt] cue NONE: plain */
+  void (*mark)(const struct swage_verdict*, uint32_t mark, uint32_t cue, const swage_vec3* p_W); /* [rt] cue SWAGE_NONE: none */
   void (*metric)(const struct swage_verdict*, uint32_t metric, double value);    /* [rt] */
   void (*event)(const struct swage_verdict*, uint32_t event, double value);      /* [rt] */
   void (*phase)(const struct swage_verdict*, uint32_t phase);                    /* [rt] */
@@ -87,8 +87,8 @@ typedef struct swage_lesson {
   uint64_t reserved;
 } swage_lesson;
 
-/* Host extension: what an attempt is for. A lesson that teaches tells of a limit in practice and goes on; in a test the limit
- * ends the attempt. An attempt that nobody called practice is judged as a test. */
+/* Host extension: what an attempt is for. In practice a lesson may report that a limit is exceeded and continue; in a test
+ * the limit ends the attempt. An attempt without a mode is judged as a test. */
 #define SWAGE_HOST_ATTEMPT "swage.host.attempt/1"
 #define SWAGE_ATTEMPT_TEST 0
 #define SWAGE_ATTEMPT_PRACTICE 1

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/object.h - an object moves freely, shows its surface, and yields to impulses.
+ * swage/abi/object.h - an object: its bodies, the forces on them, and their response to impulses.
  *
  * Most objects declare bodies or particles and add forces; the host integrates them and solves their contacts. An object
- * with inner mechanics (beam, thread, tissue) offers swage.object.solver/1 and answers for its flexible bodies itself.
+ * with inner mechanics (beam, thread, tissue) offers swage.object.solver/1 and moves its flexible bodies itself.
  */
 #ifndef SWAGE_ABI_OBJECT_H
 #define SWAGE_ABI_OBJECT_H
 
 #include "builder.h"
 
-/* What the bound device channels say this step. */
+/* Values of the bound device channels in this step. */
 typedef struct swage_input {
   swage_pose X_WD;    /* pose of the hand in the scene, after scaling */
   double closure;     /* 0 open .. 1 closed */
@@ -27,7 +27,7 @@ typedef struct swage_drive {
   double max_torque; /* N m */
 } swage_drive;
 
-/* One object as the step sees it. Arrays are the host's, valid for the call; index i is the i-th declared item. */
+/* View of one object in a step. Arrays are the host's, valid for the call; index i is the i-th declared item. */
 typedef struct swage_object_step {
   uint32_t struct_size, reserved;
   uint64_t step;
@@ -57,18 +57,18 @@ typedef struct swage_object {
   void (*reset)(swage_instance*, const swage_object_step*);          /* [rt & active] state back to the start */
 } swage_object;
 
-/* A place where something touches a flexible body. */
+/* A point at which a contact or a tie acts on a flexible body. */
 typedef struct swage_contact_point {
-  uint32_t body, shape; /* the object's own indices; shape is SWAGE_NONE where a tie holds it */
+  uint32_t body, shape; /* the object's own indices; shape is SWAGE_NONE for a tie */
   swage_vec3 p_W;       /* m */
   swage_vec3 n_W;       /* unit, pointing into the object; of a tie: its axis */
 } swage_contact_point;
 
-/* Own mechanics. Per step: advance, then mobility for all contact points at once, then apply_impulses with the impulses. advance
- * makes the whole free motion: where nothing touches, its poses are final and the other two are not called. Contacts are
- * found on the poses that advance wrote. reset comes before the first step; flexible bodies then stand at their start poses.
- * mobility answers v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
- * stacked xyz. So unlike objects are solved together. It may be asked again in a step, for more points: only apply_impulses counts. */
+/* Mechanics of flexible bodies. Per step: advance, then mobility for all contact points at once, then apply_impulses. advance
+ * makes the whole free motion: without contacts and ties its poses are final and the other two are not called. Contacts are
+ * found on the poses that advance wrote. reset comes before the first step, with the flexible bodies at their start poses.
+ * mobility returns v_free and W of the velocities v = v_free + W j under impulses j. W is symmetric, positive semi-definite, 3n x 3n
+ * row-major [m/s per N s], points stacked xyz. It may be called again in a step, for more points: only apply_impulses counts. */
 #define SWAGE_EXT_SOLVER "swage.object.solver/1"
 typedef struct swage_solver {
   swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write flexible poses and twists */
@@ -87,8 +87,8 @@ typedef struct swage_chain_place {
   double s;          /* m, arc length */
 } swage_chain_place;
 
-/* The solver of an object with chains: the same functions, told for each point where on its chain it is. An object that offers
- * this one is not asked for swage.object.solver/1. */
+/* The solver of an object with chains: the same functions, with the place of each point on its chain. For an object that offers
+ * this extension swage.object.solver/1 is not used. */
 #define SWAGE_EXT_SOLVER_2 "swage.object.solver/2"
 typedef struct swage_solver_2 {
   swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] */
@@ -98,28 +98,16 @@ typedef struct swage_solver_2 {
                         const swage_chain_place* place, const double* impulse); /* [rt] */
 } swage_solver_2;
 
-/* Beside a solver: an object whose surface is not where its shapes say, as tissue that still bears the mark of an earlier touch.
- * Asked together with mobility, for the same points: 3n [m], by how much the free surface at each point is displaced from the
- * shape. Contacts take its part along their normal as gap; v_free is the motion of the point over this step, as ever. */
+/* Offered beside a solver by an object whose surface differs from its shapes, as tissue that has not recovered from an earlier contact.
+ * Called together with mobility, for the same points. u_W: 3n, m, displacement of the free surface from the shape at each
+ * point. Its component along the normal of a contact changes the gap; v_free remains the velocity of the point in this step. */
 #define SWAGE_EXT_SURFACE "swage.object.surface/1"
 typedef struct swage_surface {
   swage_result (*displacement)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
                                double* u_W); /* [rt] */
 } swage_surface;
 
-/* What is drawn on top of the shapes: dents in a surface. A place of the surface at a distance r from p is displaced by
- * u / sqrt(1 + (r/radius)^2); dents add up. */
-#define SWAGE_EXT_DENTS "swage.object.dents/1"
-typedef struct swage_dent {
-  swage_vec3 p_W; /* m, on the undeformed surface */
-  swage_vec3 u_W; /* m */
-  double radius;  /* m */
-} swage_dent;
-typedef struct swage_dents {
-  swage_result (*dents)(swage_instance*, const swage_object_step*, uint32_t capacity, swage_dent* out, uint32_t* n); /* [rt] */
-} swage_dents;
-
-/* Traits: how a coupling speaks to an object it has never heard of. Offered through get_extension under the trait's id and
+/* Traits: interfaces through which a coupling uses an object of any plugin. Offered through get_extension under the trait's id and
  * listed in the descriptor. A trait without functions is a promise only: get_extension returns any non-NULL pointer. */
 #define SWAGE_TRAIT_SOLID "swage.trait.solid/1" /* its COLLIDES shapes resist penetration */
 
@@ -165,11 +153,11 @@ typedef struct swage_piercing {
 
 #define SWAGE_TRAIT_PIERCEABLE "swage.trait.pierceable/1"
 typedef struct swage_pierceable_law {
-  double stiffness;      /* N/m, of a touch of its surface: force = (stiffness + stiffening x) x at an overlap x */
+  double stiffness;      /* N/m, of a contact with its surface: force = (stiffness + stiffening x) x at an overlap x */
   double stiffening;     /* N/m2 */
   double friction;       /* Coulomb coefficient, on the surface and inside */
-  double puncture_force; /* N, normal, at a sharp point square to the surface */
-  double cutting_force;  /* N, at a point that goes on through the tissue */
+  double puncture_force; /* N, normal force at which a sharp point perpendicular to the surface punctures it */
+  double cutting_force;  /* N, on a point that advances through the tissue */
   double drag;           /* N per m of inserted length */
   double side_stiffness; /* N/m per m of inserted length, across the needle */
   double failure_stress; /* Pa, mean pressure on the needle's side at which the tissue tears */
@@ -177,7 +165,7 @@ typedef struct swage_pierceable_law {
 typedef struct swage_pierceable_place {
   double depth;        /* m below the entry surface, negative outside */
   double beyond;       /* m from the far surface, negative inside and before it */
-  double edge;         /* m inside the rim and the edges of a slit, negative beyond them */
+  double edge;         /* m, distance inside the rim and the edges of a slit, negative beyond them */
   swage_vec3 p_W;      /* m, the nearest place of the entry surface */
   swage_vec3 normal_W; /* unit, of the entry surface, out of the tissue */
   uint32_t body;       /* the object's own index: which body is there */
@@ -195,7 +183,6 @@ SWAGE_STATIC_ASSERT(sizeof(swage_contact_point) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_chain_place) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_graspable_place) == 88, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_gripper_state) == 96, "frozen layout");
-SWAGE_STATIC_ASSERT(sizeof(swage_dent) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_piercing_place) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_law) == 64, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_place) == 80, "frozen layout");

@@ -23,7 +23,7 @@
 
 typedef struct swage_builder swage_builder; /* builder.h */
 
-/* What the host offers to every instance. Always complete; extras come through get_extension. */
+/* Functions of the host for every instance. Always complete; extensions come through get_extension. */
 typedef struct swage_host swage_host;
 struct swage_host {
   uint32_t struct_size, abi_major, abi_minor, reserved;
@@ -52,7 +52,7 @@ typedef struct swage_live {
   swage_result (*change)(swage_instance*, uint32_t param, const swage_value*); /* [rt & active] checked by the host */
 } swage_live;
 
-/* Who a plugin is; static storage. */
+/* Description of a plugin; static storage. */
 typedef struct swage_descriptor {
   uint32_t struct_size;
   int32_t kind;              /* SWAGE_KIND_* */

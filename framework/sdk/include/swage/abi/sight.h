@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/sight.h - a LOCKSTEP device that sees the scene, as the eyes above a hand do. For scripted hands that must find
- * what chance has put somewhere. What it makes of it is recorded as any other sample: a replay needs no eyes.
+ * swage/abi/sight.h - a LOCKSTEP device that observes the scene. For scripted hands that must find objects at random places.
+ * Its samples are recorded as those of any device, so a replay does not need the observation.
  */
 #ifndef SWAGE_ABI_SIGHT_H
 #define SWAGE_ABI_SIGHT_H
@@ -17,18 +17,18 @@ typedef struct swage_scene_mark {
   double number[2];
 } swage_scene_mark;
 
-/* What bind() sees. Static while bound. */
+/* Argument of bind(). Static while bound. */
 typedef struct swage_sight_card {
   uint32_t struct_size, n_mark;
   const swage_scene_card* scene;
   const swage_scene_mark* mark;
 } swage_sight_card;
 
-/* What look() sees: the scene as the last step left it. */
+/* Argument of look(): the scene after the last step. */
 typedef struct swage_sight {
   uint32_t struct_size, n_mark;
   const swage_view* view;
-  const swage_vec3* mark_p_W; /* [n_mark] m, where a POINT stands now */
+  const swage_vec3* mark_p_W; /* [n_mark] m, present position of a POINT */
 } swage_sight;
 
 #define SWAGE_EXT_SIGHT "swage.device.sight/1"

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/strand.h - a trait: what a coupling asks of a thread: its properties, and its places by arc length.
+ * swage/abi/strand.h - a trait of threads: properties, and places by arc length, for couplings.
  */
 #ifndef SWAGE_ABI_STRAND_H
 #define SWAGE_ABI_STRAND_H
 
 #include "object.h"
 
-/* A long thin flexible object: a suture, a rubber band. Arc lengths are those of the unloaded material, from its first end: they
- * name the same material as long as it exists. */
+/* A long thin flexible object: a suture, a rubber band. Arc lengths are those of the unloaded material, from its first end: an
+ * arc length identifies the same material at all times. */
 #define SWAGE_TRAIT_STRAND "swage.trait.strand/1"
 typedef struct swage_strand_law {
   double length;   /* m, unloaded */
@@ -18,10 +18,10 @@ typedef struct swage_strand_law {
 } swage_strand_law;
 typedef struct swage_strand_place {
   double s;             /* m, 0 at the first end */
-  double tension;       /* N, there, after the solve; in finish() */
+  double tension;       /* N, at s after the solve; for finish() */
   swage_vec3 p_W;       /* m, on the centre line */
   swage_vec3 tangent_W; /* unit, towards the last end */
-  swage_vec3 normal_W;  /* unit, perpendicular to the tangent; goes with the material as it twists */
+  swage_vec3 normal_W;  /* unit, perpendicular to the tangent; turns with the material as it twists */
   uint32_t body;        /* the object's own index: which body is there */
   uint32_t parted;      /* 1: the piece is cut or broken there */
 } swage_strand_place;

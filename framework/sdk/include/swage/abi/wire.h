@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * swage/abi/wire.h - a trait: a wire that bends for good, and how that ends.
+ * swage/abi/wire.h - a trait: a wire that bends plastically, collapses and breaks.
  */
 #ifndef SWAGE_ABI_WIRE_H
 #define SWAGE_ABI_WIRE_H
 
 #include "object.h"
 
-/* end() tells each of the two once in an attempt, to who asks first: that it has been told is the object's own state, and nothing else
- * changes. For finish() of a coupling, after the solve. */
+/* end() reports collapse and break once each in an attempt, to the first caller: it changes the object's record of what it has
+ * reported and nothing else. Called in finish() of a coupling, after the solve. */
 #define SWAGE_TRAIT_WIRE "swage.trait.wire/1"
 typedef struct swage_wire_end {
-  double collapsed; /* where its whole section flows, 0 at the point .. 1 at the swage; below 0: nowhere, or it has been told */
-  double broke;     /* where it has broken, the same */
+  double collapsed; /* place whose whole section is plastic, 0 at the point .. 1 at the swage; below 0: none, or reported before */
+  double broke;     /* place where it broke, likewise */
 } swage_wire_end;
 typedef struct swage_wire {
   swage_result (*end)(swage_instance*, const swage_object_step*, swage_wire_end* out); /* [rt] */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Between the C tables and the author's class: every entry checks the thread role and the order of calls,
-// stops whatever is thrown, and only then hands over. Nothing here is for authors.
+// Glue between the C tables and the author's class: every entry checks the thread role and the order of calls,
+// catches exceptions, and calls the class. Nothing here is for authors.
 #pragma once
 
 #include <swage/builder.hpp>
@@ -36,7 +36,7 @@ inline constexpr Entry kDeactivate{"deactivate", 2, kMain, When::kActive};
 inline constexpr Entry kDestroy{"destroy", 3, kMain, When::kInactive};
 inline constexpr Entry kChange{"change", 22, kRt, When::kActive};
 
-/// What is told of a call that breaks the rules.
+/// Reports about a call that breaks the rules.
 inline constexpr const char* kWrongThread = "the host called from the wrong thread";
 inline constexpr const char* kTooEarly = "called before a configure that succeeded";
 inline constexpr const char* kNotActive = "called before activate";
@@ -45,7 +45,7 @@ inline constexpr const char* kThrewAnything = "threw something that is not a std
 
 inline bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
 
-/// One live plugin T and what the guard knows about it.
+/// One live plugin T and the state of its guard.
 template <class T>
 struct Holder {
   swage_instance raw{};
@@ -53,7 +53,7 @@ struct Holder {
   std::string name;
   std::optional<T> plugin;  // made anew by every configure, so that build() starts from a fresh object
   uint32_t n_state = 0;
-  uint64_t told = 0;  // entries that have already complained about their thread
+  uint64_t told = 0;  // entries whose call from a wrong thread has been reported
   bool ready = false, active = false;
 
   static Holder& of(swage_instance* instance) { return *static_cast<Holder*>(instance->self); }
@@ -79,7 +79,7 @@ struct Access {
   }
 };
 
-/// Tells the host about a fault: a record from anywhere, and words where words are allowed.
+/// Reports a fault to the host: as a record from any thread, and in words where the thread role allows text.
 template <class T>
 void tell(const Holder<T>& holder, const Entry& entry, int32_t code, double b, const char* what) noexcept {
   const swage_host* host = holder.host;
@@ -89,11 +89,11 @@ void tell(const Holder<T>& holder, const Entry& entry, int32_t code, double b, c
     const std::string message = std::string(entry.name) + ": " + what;
     host->report(host, SWAGE_SEVERE, str(holder.name), str(message));
   } catch (...) {
-    // no memory for words; the record has been made
+    // no memory for the text; the record has been made
   }
 }
 
-/// Reports a call from the wrong thread and goes on. Once per entry and instance.
+/// Reports a call from the wrong thread, once per entry and instance. The call is executed nevertheless.
 template <class T>
 void check_role(Holder<T>& holder, const Entry& entry) noexcept {
   if constexpr (SWAGE_CHECKS != 0) {
@@ -119,7 +119,7 @@ bool in_order(const Holder<T>& holder, const Entry& entry) noexcept {
   return wrong == nullptr;
 }
 
-/// Runs `body`; a throw becomes SWAGE_FAULT and never leaves.
+/// Runs `body`; an exception becomes SWAGE_FAULT and does not leave the plugin.
 template <class T, class F>
 swage_result contained(const Holder<T>& holder, const Entry& entry, F&& body) noexcept {
   try {
@@ -236,7 +236,7 @@ swage_instance* create(const swage_host* host) noexcept {
     holder->raw = {holder.get(), E::configure, E::activate, E::deactivate, E::destroy, E::get_extension};
     holder->host = host;
     holder->name = T::id;
-    Access::attach(holder->plugin.emplace(), host, holder->name);  // extensions may be asked for from now on
+    Access::attach(holder->plugin.emplace(), host, holder->name);  // extensions can be queried from now on
     return &holder.release()->raw;
   } catch (...) {
     return nullptr;

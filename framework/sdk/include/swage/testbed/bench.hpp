@@ -13,7 +13,7 @@
 
 namespace swage::testbed {
 
-/// What a plugin handed to swage_host.fault.
+/// Arguments of a call of swage_host.fault.
 struct Fault {
   int32_t code;
   double a, b;
@@ -22,14 +22,14 @@ struct Fault {
 /// Tables that the host offers.
 inline const void* host_table(const char* id);
 
-/// Plays the host: any thread role, any random number; remembers what it is told.
+/// A host with any thread role and any random number; records reports and faults.
 struct Host {
   swage_host raw{};
   int32_t role = SWAGE_THREAD_MAIN;
   uint64_t random = 1;
   std::vector<std::string> reports;  // "who: what"
   std::vector<Fault> faults;
-  swage_environment environment = kStillAir;  // that an instance reads
+  swage_environment environment = kStillAir;  // read by the instance
 
   Host() {
     raw = {sizeof(swage_host),
@@ -59,7 +59,7 @@ struct Host {
   static Host& of(const swage_host* host) { return *static_cast<Host*>(host->host_data); }
 };
 
-/// Remembers what is declared.
+/// A builder that records the declarations.
 struct Declared {
   swage_builder raw{};
   struct Body {
@@ -79,7 +79,7 @@ struct Declared {
   std::vector<Name> names;
   std::vector<std::string> errors;  // "parameter: what"
   uint32_t n_state = 0;
-  uint32_t points = 0;  // that the object asked room for
+  uint32_t points = 0;  // contact points that the object reserved
   bool refuse_bodies = false;
 
   Declared() {
@@ -181,7 +181,7 @@ inline const void* host_table(const char* id) {
   static constexpr swage_host_height_field height_field{Declared::add_height_field};
   static constexpr swage_host_capacities capacities{
       Declared::reserve_points, [](const swage_host*, swage_capacities* out) {
-        *out = {sizeof(swage_capacities), 1024, 64, 256, 512, 256};  // the most that a host has
+        *out = {sizeof(swage_capacities), 1024, 64, 256, 512, 256};  // the largest that a host offers
       }};
   if (std::string_view(id) == SWAGE_HOST_CAPACITIES) return &capacities;
   static constexpr swage_host_chain chain{Declared::add_chain};
@@ -192,7 +192,7 @@ inline const void* host_table(const char* id) {
   return std::string_view(id) == SWAGE_HOST_HEIGHT_FIELD ? &height_field : nullptr;
 }
 
-/// One instance of plugin T with its parameters. What the kinds below share.
+/// One instance of plugin T with its parameters: base of the benches of each kind.
 template <class T>
 class Bench {
  public:
