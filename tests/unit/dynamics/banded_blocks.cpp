@@ -17,9 +17,10 @@ namespace banded_blocks_test {
 using toolkit::Mat3;
 using toolkit::Vec3;
 
-/// A thread of n nodes with one rigid body, contacts between both and of the thread with itself; and the same densely.
+/// A thread of n nodes with one rigid body, contacts between both and of the thread with itself; and the same densely. `early`: blocks
+/// that no contact touches have been eliminated before the contacts were added.
 struct Knot {
-  Knot(uint32_t n, uint32_t contacts, bool symmetric, unsigned seed)
+  Knot(uint32_t n, uint32_t contacts, bool symmetric, unsigned seed, bool early = false)
       : random(seed), band(static_cast<int>(4 * n - 1)), blocks(n + 2, 4 * n * 16) {
     for (int j = 0; j < band.size(); ++j)
       for (int i = j; i < std::min(band.size(), j / 4 * 4 + 11); ++i)
@@ -58,15 +59,27 @@ struct Knot {
       dense += J.transpose() * c.D * J;
       all.push_back(c);
     }
-    EXPECT_TRUE(blocks.analyse(n + 2, pairs));
+    std::vector<uint8_t> late(early ? n + 2 : 0);
+    for (const Contact& c : all)
+      for (const BlockPoint* p : {&c.a, &c.b})
+        for (uint32_t i = 0; early && i < p->size; ++i) late[p->block[i]] = 1;
+    EXPECT_TRUE(blocks.analyse(n + 2, pairs, late));
     blocks.set_zero();
-    add_band(blocks, 0, band, symmetric);
+    add_band(blocks, 0, band, symmetric || early);
     BandedBlocks::Block body = BandedBlocks::Block::Identity();
     body.topLeftCorner<3, 3>() *= 2;
     for (uint32_t k = 0; k < 2; ++k) {
       blocks.add(n + k, n + k, body);
       for (int r = 0; r < 3; ++r)
         dense(static_cast<int>(4 * (n + k)) + r, static_cast<int>(4 * (n + k)) + r) += 2;
+    }
+    if (early) {
+      EXPECT_TRUE(blocks.factor_early());
+      // a direction with other stiffnesses, then that which is asked for
+      blocks.take_late(!symmetric);
+      for (const Contact& c : all) add_contact(blocks, c.a, c.b, 7 * Mat3::Identity(), !symmetric);
+      EXPECT_TRUE(blocks.factor(!symmetric));
+      blocks.take_late(symmetric);
     }
     for (const Contact& c : all) add_contact(blocks, c.a, c.b, c.D, symmetric);
   }
@@ -76,6 +89,18 @@ struct Knot {
   BandedBlocks blocks;
   Eigen::MatrixXd dense;
 };
+
+TEST(BandedBlocks, WithWhatNothingTouchesEliminatedOnceSolveAsADenseMatrixDoes) {
+  for (const bool symmetric : {true, false})
+    for (const uint32_t contacts : {0u, 1u, 4u, 12u, 60u}) {
+      Knot k(30, contacts, symmetric, contacts + 1, true);
+      ASSERT_TRUE(k.blocks.factor(symmetric)) << contacts;
+      const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
+      Eigen::VectorXd x = b;
+      k.blocks.solve(x.data());
+      EXPECT_LT((k.dense * x - b).norm(), 1e-11 * b.norm()) << symmetric << " " << contacts;
+    }
+}
 
 TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
   for (const bool symmetric : {true, false})

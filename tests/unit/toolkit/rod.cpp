@@ -111,6 +111,13 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
                          testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
 
+TEST(RodCurvature, IsGreatestWhereItIsGreatest) {
+  Tangled t(12, kNylon, 0, 3);
+  double most = 0;
+  for (int i = 1; i < 11; ++i) most = std::max(most, t.rod.curvature(t.s, i));
+  EXPECT_EQ(t.rod.most_curvature(t.s), most);
+}
+
 TEST(RodJoint, HasTheBitsSideBySideThatItHasAlone) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -86,6 +86,26 @@ TEST(RodPassage, CountsThoseOfAChain) {
   EXPECT_EQ(passages(n, down.data(), loop.data(), there, boxes), 1) << "and back";
   EXPECT_EQ(passages(n, loop.data(), down.data(), [](int j) { return j != 30 && j != 29 && j != 31 && j != 32 && j != 33; }, boxes), 0)
       << "where it has parted";
+  EXPECT_TRUE(may_have_passed(n, loop.data(), down.data(), 0.1));
+  EXPECT_FALSE(may_have_passed(n, loop.data(), down.data(), 10)) << "less than a quarter of its radius";
+}
+
+/// An arc of 160 degrees may swing as it likes; one of 200 degrees turns back.
+TEST(RodPassage, IsNotLookedForWhereAllPiecesPointOneWay) {
+  constexpr int n = 41;
+  const auto arc = [](double degrees, double swung) {
+    std::vector<double> x;
+    for (int i = 0; i < n; ++i) {
+      const double turn = degrees / 180 * M_PI * (i / (n - 1.0) - 0.5);
+      for (const double c : {std::sin(turn), -std::cos(turn) * std::cos(swung), -std::cos(turn) * std::sin(swung)}) x.push_back(c);
+    }
+    return x;
+  };
+  const auto looked_for = [&](double degrees) {
+    return may_have_passed(n, arc(degrees, 0).data(), arc(degrees, 0.3).data(), 1e-3);
+  };
+  EXPECT_FALSE(looked_for(160));
+  EXPECT_TRUE(looked_for(200));
 }
 
 }  // namespace
