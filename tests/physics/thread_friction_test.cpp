@@ -89,20 +89,39 @@ constexpr double kFriction = 0.3, kStiffness = 1e6;  // 1; N/m, of 40 radii of t
 constexpr int kGripped = 10, kFree = 12;             // node in the middle of the jaws; joint between them and the end that is moved
 
 /// How far a jaw overlaps the thread that it presses with so much [m].
-double pressed_in(double grip) { return grip / (kStiffness * 2 * kJaw.x() / (40 * kWire)); }
+double pressed_in(double grip, double stiffness = kStiffness) { return grip / (stiffness * 2 * kJaw.x() / (40 * kWire)); }
 
 /// Straight, 2 mm in segments of 0.1 mm, jaws of 0.5 mm about its middle that press with `grip` each [N].
-Threaded gripped(double grip, double young) {
+Threaded gripped(double grip, double young, double stiffness = kStiffness) {
   std::vector<Vec3> line;
   for (int i = 0; i <= 20; ++i) line.emplace_back(0.1e-3 * i, 0, 0);
-  Threaded t(line, young, kFriction, kStiffness);
+  Threaded t(line, young, kFriction, stiffness);
   for (const double side : {1.0, -1.0})
-    HeldThread::add_box(t.world, SWAGE_MOTION_FIXED, {1e-3, 0, side * (kJaw.z() + kWire - pressed_in(grip))}, kJaw);
+    HeldThread::add_box(t.world, SWAGE_MOTION_FIXED, {1e-3, 0, side * (kJaw.z() + kWire - pressed_in(grip, stiffness))}, kJaw);
   t.begin();
   t.rod().let_go(0);
   for (int i = 0; i < 50; ++i) t.step(Vec3::Zero(), Vec3::Zero());
-  EXPECT_NEAR(t.pressing(), 2 * grip, 0.05 * grip);
+  EXPECT_NEAR(t.pressing(), 2 * grip, 0.05 * grip) << grip << " " << stiffness;
   return t;
+}
+
+TEST(ThreadFriction, Probe) {
+  for (const double stiffness : {1e5, 1e6})
+    for (const double grip : {0.5, 0.9, 1.0, 1.2, 1.3, 1.6, 2.0, 3.0})
+      for (const double young : {kNylon, kSteel}) {
+        Threaded t = gripped(grip, young, stiffness);
+        // draws with 0.1 N
+        const double give = 0.75e-3 / t.section().stretching;
+        double most = 0;
+        Vec3 begun = t.node(kGripped);
+        for (int i = 0; i < 600; ++i) {
+          const double missing = std::min(1.0, i / 300.0) * 0.1 - t.tension(t.last() - 1);
+          t.step(Vec3::Zero(), {0.3 * give * missing / t.world.dt, 0, 0});
+          most = std::max(most, t.tension(t.last() - 1));
+        }
+        std::printf("k %g grip %g E %g pressed_in %g pressing %g tension %g moved %g %g %g short %d\n", stiffness, grip, young, pressed_in(grip, stiffness), t.pressing(), most,
+                    (t.node(kGripped) - begun).x(), (t.node(kGripped) - begun).y(), (t.node(kGripped) - begun).z(), (int)t.fell_short());
+      }
 }
 
 struct Grip {
