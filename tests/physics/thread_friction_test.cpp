@@ -105,25 +105,6 @@ Threaded gripped(double grip, double young, double stiffness = kStiffness) {
   return t;
 }
 
-TEST(ThreadFriction, Probe) {
-  for (const double stiffness : {1e5, 1e6})
-    for (const double grip : {0.5, 0.9, 1.0, 1.2, 1.3, 1.6, 2.0, 3.0})
-      for (const double young : {kNylon, kSteel}) {
-        Threaded t = gripped(grip, young, stiffness);
-        // draws with 0.1 N
-        const double give = 0.75e-3 / t.section().stretching;
-        double most = 0;
-        Vec3 begun = t.node(kGripped);
-        for (int i = 0; i < 600; ++i) {
-          const double missing = std::min(1.0, i / 300.0) * 0.1 - t.tension(t.last() - 1);
-          t.step(Vec3::Zero(), {0.3 * give * missing / t.world.dt, 0, 0});
-          most = std::max(most, t.tension(t.last() - 1));
-        }
-        std::printf("k %g grip %g E %g pressed_in %g pressing %g tension %g moved %g %g %g short %d\n", stiffness, grip, young, pressed_in(grip, stiffness), t.pressing(), most,
-                    (t.node(kGripped) - begun).x(), (t.node(kGripped) - begun).y(), (t.node(kGripped) - begun).z(), (int)t.fell_short());
-      }
-}
-
 struct Grip {
   double force, young;  // N, Pa
 };
@@ -184,6 +165,24 @@ TEST(ThreadFriction, BetweenJawsItDoesNotCreepAtNineTenthsOfThat) {
   for (const Grip& grip : kGrips) EXPECT_LT(creeps(grip, 0.9, steps), 0.1e-6) << grip.force;
   // beyond the limit it goes; the other two, which go faster, come to rest again some way on in jaws that do not give: the reason is not found
   for (const size_t i : {size_t{0}, size_t{2}}) EXPECT_GT(creeps(kGrips[i], 1.1, 1000), 1e-6) << kGrips[i].force;
+}
+
+// Nylon between jaws as stiff as its own flattening by Hertz (1.07e6 N/m at 1 N, thread.md) and ten times softer: pulled with half of what it
+// bears, it stays, also where soft jaws overlap it by more than its radius.
+TEST(ThreadFriction, NylonIsHeldWithUpTo1600mNInHardAndSoftJaws) {
+  for (const double stiffness : {1e5, 1e6})
+    for (const double grip : {0.5, 1.0, 1.3, 1.6}) {
+      Threaded t = gripped(grip, kNylon, stiffness);
+      const double give = 0.75e-3 / t.section().stretching, pull = 0.1;  // m/N, N
+      const Vec3 begun = t.node(kGripped);
+      for (int i = 0; i < 1000; ++i) {
+        const double missing = std::min(1.0, i / 300.0) * pull - t.tension(t.last() - 1);
+        t.step(Vec3::Zero(), {0.3 * give * missing / t.world.dt, 0, 0});
+      }
+      EXPECT_NEAR(t.tension(t.last() - 1), pull, 0.01 * pull);
+      EXPECT_LT((t.node(kGripped) - begun).norm(), 0.15e-6) << stiffness << " N/m, " << grip << " N";
+      EXPECT_EQ(t.fell_short(), 0u);
+    }
 }
 
 /// Round a post of 0.5 mm by an angle, from -x and on by straight tails.
