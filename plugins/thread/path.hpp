@@ -70,17 +70,19 @@ inline std::string nodes_at(std::string_view text, int given, int n, std::vector
   return "";
 }
 
-/// n nodes along the points that `text` says, each exactly l [m] from the one before, so that nothing is stretched; beyond the last point
-/// straight on. Returns what is wrong, or "".
-inline std::string nodes_along(std::string_view text, double l, int n, std::vector<Vec3>& nodes) {
+/// Nodes along the points that `text` says, each exactly the length [m] of a segment from the one before, so that nothing is stretched;
+/// beyond the last point straight on. Returns what is wrong, or "".
+inline std::string nodes_along(std::string_view text, const std::vector<double>& lengths, std::vector<Vec3>& nodes) {
   std::vector<Vec3> points;
   if (const std::string wrong = read_points(text, points); !wrong.empty()) return wrong;
   const Vec3 last = points.back() - points[points.size() - 2];
   if (!(last.norm() > 0)) return "the last two points of a path differ";
-  points.push_back(points.back() + n * l * last.normalized());
+  const size_t n = lengths.size() + 1;
+  points.push_back(points.back() + static_cast<double>(n) * *std::max_element(lengths.begin(), lengths.end()) * last.normalized());
   nodes.assign(1, points.front());
-  for (size_t k = 0; static_cast<int>(nodes.size()) < n;) {
+  for (size_t k = 0; nodes.size() < n;) {
     if (k + 1 == points.size()) return "its path leads back on itself: take shorter segments or a wider path";
+    const double l = lengths[nodes.size() - 1];
     // the farther of the two places of the line at the distance l from the node
     const Vec3 a = points[k] - nodes.back(), d = points[k + 1] - points[k];
     const double A = d.squaredNorm(), B = a.dot(d), C = a.squaredNorm() - l * l, D = B * B - A * C;

@@ -37,7 +37,7 @@ bool Thread::lay_written(const ThreadParams& p, ObjectBuilder& builder) {
   for (const std::string& path : paths) {
     std::vector<Vec3> nodes_O;
     const std::string wrong =
-        p.start == Start::kNodes ? nodes_at(path, given_nodes_, nodes(), nodes_O) : nodes_along(path, p.length / p.segments, nodes(), nodes_O);
+        p.start == Start::kNodes ? nodes_at(path, given_nodes_, nodes(), nodes_O) : nodes_along(path, lengths_, nodes_O);
     if (!wrong.empty()) return builder.error(p.paths.empty() ? "path" : "paths", wrong), false;
     starts_.push_back(std::move(nodes_O));
   }
@@ -48,21 +48,41 @@ bool Thread::lay_written(const ThreadParams& p, ObjectBuilder& builder) {
 
 /// Nodes of the start shape in O, an edge apart. The coil rises by two diameters a turn, so that it does not touch itself.
 bool Thread::lay_start(const ThreadParams& p, ObjectBuilder& builder) {
-  const double l = p.length / p.segments;
   starts_.clear();
   if (written()) return lay_written(p, builder);
   std::vector<Vec3>& start = starts_.emplace_back();
-  const double r = p.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
+  for (const double s : s_) {
+    if (p.start == Start::kStraight)
+      start.emplace_back(s, 0, 0);
+    else if (p.start == Start::kHanging)
+      start.emplace_back(0, 0, -s);
+  }
+  const double l = p.length / p.segments, r = p.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
   const double rise = 2 * suture_.diameter * turn / (2 * std::numbers::pi),
                flat = std::sqrt(1 - std::pow(rise / l, 2));
-  for (int i = 0; i < nodes(); ++i) {
-    if (p.start == Start::kStraight)
-      start.emplace_back(l * i, 0, 0);
-    else if (p.start == Start::kHanging)
-      start.emplace_back(0, 0, -l * i);
-    else
-      start.emplace_back(flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i);
+  for (int i = 0; i < nodes() && p.start == Start::kCoil; ++i)
+    start.emplace_back(flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i);
+  return true;
+}
+
+double Thread::shortest() const {
+  return *std::min_element(lengths_.begin(), lengths_.end());
+}
+
+/// Arc lengths of the nodes, and what shorter segments cannot be.
+bool Thread::lay_nodes(ObjectBuilder& builder) {
+  const ThreadParams& p = params_;
+  if (p.finer > 1) {
+    if (!(p.fine_from < p.fine_to) || p.fine_to > p.length)
+      builder.error("fine_to", "the part with shorter segments ends behind its beginning, on the thread");
+    if (p.start == Start::kCoil || p.start == Start::kNodes)
+      builder.error("finer", "a coil, and a thread that is given node by node, have segments of one length");
+    if (masses()) builder.error("finer", "point masses and springs have segments of one length: take another level");
   }
+  if (builder.failed()) return false;
+  s_ = node_places(p.length, p.segments, {p.fine_from, p.fine_to, p.finer});
+  lengths_.assign(at(p.segments), p.length / p.segments);
+  for (int j = 0; j < p.segments && p.finer > 1; ++j) lengths_[at(j)] = s_[at(j + 1)] - s_[at(j)];
   return true;
 }
 
@@ -113,7 +133,7 @@ bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
   if (p.pull_off > 0) suture_.pull_off = p.pull_off;
   if (const std::string wrong = fault(suture_); !wrong.empty()) builder.error("suture", wrong);
   const double l = p.length / p.segments;
-  if (l < suture_.diameter)
+  if (shortest() < suture_.diameter)
     builder.error("segments", "a segment is at least as long as the thread is thick: take fewer segments");
   if (p.start == Start::kCoil && p.coil_radius < l)
     builder.error(
@@ -127,12 +147,11 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   given_nodes_ = params.segments + 1;
   if (params.level == Level::kReference) params_.segments = std::min(kFiner * params.segments, kFinest);
   set_up_surroundings();
-  if (!take_suture(params_, builder)) return;
-  const std::vector<double> rest(at(params_.segments), params_.length / params_.segments);
+  if (!lay_nodes(builder) || !take_suture(params_, builder)) return;
   toolkit::RodSection section = toolkit::RodSection::round(suture_.diameter, suture_.young, suture_.poisson, suture_.density);
   const bool rod = params.level == Level::kRod || params.level == Level::kReference;
   if (!rod) section.bending = section.twisting = 0;
-  rod_ = toolkit::Rod(section, rest, rod ? suture_.memory : 0);
+  rod_ = toolkit::Rod(section, lengths_, rod ? suture_.memory : 0);
   if (params.first == End::kFixed) rod_.hold(0);
   if (params.last == End::kFixed) rod_.hold(params_.segments);
   if (!lay_start(params_, builder)) return;
@@ -158,7 +177,7 @@ void Thread::declare(ObjectBuilder& builder) {
   builder.state(ChainState::doubles(vertices()));  // the first
   // tighter than a piece is long no chain of straight pieces bends
   // half a circle of it, within which the thread is not looked for, is two segments: of three that close a loop the outer ones meet
-  const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * rod_.rest_length(0));
+  const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * shortest());
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {masses() ? uint32_t{SWAGE_CHAIN_SPHERES} : uint32_t{SWAGE_CHAIN_SEGMENTS}, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
   builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + (several() ? 5 : 4));
@@ -184,7 +203,7 @@ void Thread::reset(const Step& step) {
   RodState s = state(step);
   for (int i = 0; i < nodes(); ++i) {
     Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_O[at(i)];
-    chain.s[at(i)] = i * rod_.rest_length(0);
+    chain.s[at(i)] = s_[at(i)];
     chain.radius[at(i)] = i <= last ? 0.5 * suture_.diameter : 0;
   }
   passed(step) = 0, held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;

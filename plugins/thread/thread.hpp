@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "lengths.hpp"
 #include "masses.hpp"
 #include "suture.hpp"
 #include "toolkit/rod.hpp"
@@ -30,6 +31,7 @@ struct ThreadParams {
   Start start = Start::kStraight;
   double length = 20e-3;  // m
   int segments = 32;
+  double finer = 1, fine_from = 0, fine_to = 0;  // times; m
   double coil_radius = 3e-3;  // m
   std::string path, paths;
   int shape = 0;
@@ -71,6 +73,10 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                    "Straight along x, hanging along -z, or a coil about z, from the origin; along a path; or with each node at its point of the path."),
       real<&ThreadParams::length>("length", "Length", "m", "mm", 1e-3, 0.3, "Unloaded."),
       integer<&ThreadParams::segments>("segments", "Segments", 4, 200, "Straight pieces."),
+      real<&ThreadParams::finer>("finer", "Finer", "1", "1", 1, 20,
+                                 "How many times shorter than elsewhere the segments of a part of the thread are, as of a knot or beside a swage. 1: all are of one length."),
+      real<&ThreadParams::fine_from>("fine_from", "Finer from", "m", "mm", 0, 0.3, "Where that part begins, from the first end."),
+      real<&ThreadParams::fine_to>("fine_to", "Finer to", "m", "mm", 0, 0.3, "Where it ends."),
       real<&ThreadParams::coil_radius>("coil_radius", "Coil radius", "m", "mm", 0.2e-3, 50e-3,
                                        "Of the start shape coil."),
       text<&ThreadParams::path>("path", "Path",
@@ -166,6 +172,8 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   void linearise_masses(const Step& step, double* columns) const;
   void go_masses(const Step& step, const double* change, toolkit::RodState& s);
 
+  bool lay_nodes(ObjectBuilder& builder);
+  double shortest() const;  // m, segment
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
   bool lay_start(const ThreadParams& params, ObjectBuilder& builder);
@@ -205,6 +213,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   toolkit::Rod rod_;
   toolkit::Pose X_OB0_;
   std::vector<std::vector<toolkit::Vec3>> starts_;  // m, O: nodes of each start shape; of the first but where there are several
+  std::vector<double> s_, lengths_;  // m, arc lengths of the nodes, and what is between them
   int given_nodes_ = 0;  // that a lesson speaks of, and not a finer level
   Body body_;
   Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_, shape_told_;

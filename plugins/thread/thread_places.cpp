@@ -28,7 +28,7 @@ std::pair<int, double> Thread::nearest_edge(const RodState& s, const Vec3& p_W) 
 void Thread::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) {
   const RodState s = state(step);
   const auto [j, share] = nearest_edge(s, vec(p_W));
-  out.s = (j + share) / params_.segments;
+  out.s = params_.finer > 1 ? (s_[at(j)] + share * rod_.rest_length(j)) / params_.length : (j + share) / params_.segments;
   out.p_W = raw(Vec3(s.node(j) + share * s.edge(j)));
   out.tangent_W = raw(Vec3(s.edge(j).normalized()));
   out.normal_W = raw(s.material(j));

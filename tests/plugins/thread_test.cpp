@@ -254,7 +254,7 @@ TEST(Thread, StartsAlongAPath) {
 // round a corner an edge is the chord, as long as it is unloaded
 TEST(Thread, CutsTheCornersOfItsPath) {
   std::vector<Vec3> nodes;
-  ASSERT_EQ(nodes_along("0 0 0, 0.7 0 0, 0.7 5 0 mm", 0.5e-3, 8, nodes), "");
+  ASSERT_EQ(nodes_along("0 0 0, 0.7 0 0, 0.7 5 0 mm", std::vector<double>(7, 0.5e-3), nodes), "");
   for (size_t i = 0; i + 1 < nodes.size(); ++i) EXPECT_NEAR((nodes[i + 1] - nodes[i]).norm(), 0.5e-3, 1e-15) << i;
   EXPECT_NEAR(nodes[2].x(), 0.7e-3, 1e-15);
 }
@@ -264,7 +264,7 @@ TEST(Thread, SaysWhatIsWrongWithAPath) {
   for (const auto& [path, wrong] : {std::pair{"", "at least two points"}, {"0 0 0 mm", "at least two points"}, {"0 0, 1 0 0", "three numbers"},
                                     {"0 0 0 1 0 0", "commas"}, {"0 0 0, 1 0 nan", "within"}, {"0 0 0, 0 0 0 mm", "differ"}, {"0 0 0, 1 0 0", "its unit"},
                                     {"0 0 0, 1 0 0 cm", "commas"}})
-    EXPECT_NE(nodes_along(path, 0.5e-3, 8, nodes).find(wrong), std::string::npos) << path << ": " << nodes_along(path, 0.5e-3, 8, nodes);
+    EXPECT_NE(nodes_along(path, std::vector<double>(7, 0.5e-3), nodes).find(wrong), std::string::npos) << path << ": " << nodes_along(path, std::vector<double>(7, 0.5e-3), nodes);
 }
 
 // node by node, as it lay: stretched by a hundredth it is under a hundredth of its stiffness
