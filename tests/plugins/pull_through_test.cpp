@@ -81,6 +81,21 @@ TEST(PullThrough, follows_its_needle_in_and_out) {
   EXPECT_EQ(s.troubles(), "");
 }
 
+/// With `tells` stitches: how much thread has gone in, in the place of loops.
+TEST(PullThrough, tells_what_was_drawn_in_where_stitches_are_single) {
+  Drawn s;
+  s.duration = 2.2;
+  s.way = [](double t) { return Vec3(0, 0, -10e-3 * t); };
+  s.pull = R"("tells": "stitches")";
+  s.start();
+  ASSERT_NE(s.engine, nullptr);
+  s.run_until(2.2);
+  EXPECT_EQ(s.signal("pull.state"), 2);
+  EXPECT_GT(s.signal("pull.drawn"), 1.19 * kWall);
+  EXPECT_NEAR(s.signal("pull.drawn"), s.signal("pull.inside") + s.signal("pull.out"), 1e-9);
+  EXPECT_NEAR(s.signal("pull.drawn"), s.length - s.signal("pull.tail"), 1e-9);
+}
+
 /// Drawn on at a steady pace: what it takes is the drag of the length inside; the tail hangs slack.
 TEST(PullThrough, drags_by_its_length_inside) {
   Drawn s;
