@@ -24,7 +24,7 @@ enum class Measure : size_t {
   kCut,
   kTail,
   kDrops,
-  kRegrasps,
+  kTakenAnew,
   kForce,
   kPeak,
   kOverTime,

@@ -249,7 +249,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kCut, m.cut);
   tell(verdict, Measure::kTail, look.tail);
   tell(verdict, Measure::kDrops, m.drops);
-  tell(verdict, Measure::kRegrasps, m.regrasps);
+  tell(verdict, Measure::kTakenAnew, m.regrasps);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
   lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
