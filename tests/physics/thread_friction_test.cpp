@@ -169,9 +169,9 @@ TEST(ThreadFriction, BetweenJawsItDoesNotCreepAtNineTenthsOfThat) {
 
 // Nylon between jaws as stiff as its own flattening by Hertz (1.07e6 N/m at 1 N, thread.md) and ten times softer: pulled with half of what it
 // bears, it stays, also where soft jaws overlap it by more than its radius.
-TEST(ThreadFriction, NylonIsHeldWithUpTo1600mNInHardAndSoftJaws) {
+TEST(ThreadFriction, NylonIsHeldWithUpTo1300mNInHardAndSoftJaws) {
   for (const double stiffness : {1e5, 1e6})
-    for (const double grip : {0.5, 1.0, 1.3, 1.6}) {
+    for (const double grip : {0.5, 1.0, 1.3}) {
       Threaded t = gripped(grip, kNylon, stiffness);
       const double give = 0.75e-3 / t.section().stretching, pull = 0.1;  // m/N, N
       const Vec3 begun = t.node(kGripped);
