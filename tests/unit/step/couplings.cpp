@@ -151,6 +151,7 @@ TEST(Couplings, DrawOnObjectB) {
   FakeScene s;
   s.rig.couplings[0].visuals = &Drawn::table;
   const uint32_t b = s.rig.couplings[0].object_b;
+  s.engine();  // poses are there from then on
   swage_pose& X_WB = s.rig.world.X_WB[s.rig.objects[b].body.first];
   X_WB = {{1e-3, 2e-3, 3e-3}, {M_SQRT1_2, 0, M_SQRT1_2, 0}};  // z to x
   const auto shot = std::make_unique<snapshot::Snapshot>();
