@@ -26,6 +26,7 @@ WindowPages::WindowPages(Services& services, const SharedModels& models, StatusS
 void WindowPages::add_run(Services& services, StatusStrip* strip) {
   run_ = new RunPage(std::move(services.open_session), models_.lessons, strip, all_);
   run_->set_expert(std::move(services.open_expert));
+  run_->set_person_adder([this](const QString& name) { return enter_person(name); });
   all_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, [this] { enter_run(); },
              [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
   connect(models_.store, &StoreLink::recovered, this, [this](int n) {
@@ -128,6 +129,16 @@ void WindowPages::enter_run() {
   SetupPanel* setup = run_->setup();
   if (!run_->control()->running()) setup->set_people(people_->people()->names(), setup->person());
   run_->take_focus();
+}
+
+// A new person of the Run page gets a code as on the People page. Without a store nothing is kept, and nobody is entered.
+QString WindowPages::enter_person(const QString& name) {
+  record::School* school = models_.desk->school();
+  record::Person there;
+  if (!school || school->find_person(name.toStdString(), there)) return {};
+  RosterLine line;
+  line.name = name;
+  return models_.desk->add_people({line}) ? QString() : models_.desk->problem();
 }
 
 const SceneView* WindowPages::shown_view() const {

@@ -54,6 +54,7 @@ class WindowPages : public QObject {
   void connect_people();
   void set_metric_finder();
   void enter_run();
+  QString enter_person(const QString& name);
   QVector<LessonMetric> metrics_of(const QString& lesson_id) const;
 
   SharedModels models_;

@@ -12,6 +12,7 @@
 #include "console/models/said.hpp"
 #include "console/pages/event_table.hpp"
 #include "console/widgets/parts.hpp"
+#include "record/store.hpp"
 
 namespace swage::console {
 namespace {
@@ -270,13 +271,22 @@ bool RunPage::agree_on_person() {
   return true;
 }
 
+// Also for a name of the command line, which nobody is asked about.
+bool RunPage::enter_person() {
+  const QString name = setup_->person();
+  if (!add_person_ || name == QLatin1String(record::kGuest)) return true;
+  const QString problem = add_person_(name);
+  if (!problem.isEmpty()) fault_->say(problem);
+  return problem.isEmpty();
+}
+
 void RunPage::launch(bool unrecorded) {
   if (control_->running() || setup_->lesson().isEmpty()) return;
   // what is about to run has been looked at, and could be built
   if (preview_timer_.isActive() || !setup_->startable()) preview();
   if (!setup_->startable()) return;
   const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
-  if (kept && !agree_on_person()) return;
+  if (kept && !(agree_on_person() && enter_person())) return;
   presenter_->clear();
   fault_->clear();
   session::Options o = options_.attempt(display(), presenter_->cue_theme()), like = options_.lesson(display());

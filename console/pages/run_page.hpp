@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -29,6 +30,10 @@
 #include "console/pages/view_bar.hpp"
 
 namespace swage::console {
+
+/// Enters a person, by name, in the store before an attempt is kept; nothing happens where the person is there. Returns why that failed,
+/// as a sentence; "" on success.
+using PersonAdder = std::function<QString(const QString& name)>;
 
 class RunPage : public QWidget {
   Q_OBJECT
@@ -61,6 +66,8 @@ class RunPage : public QWidget {
   void set_binding(const Binding& binding);
   /// Who plays a lesson for a guide; without one there is none.
   void set_expert(ExpertOpener open);
+  /// A person whom nobody entered would have the name as code, which exports say.
+  void set_person_adder(PersonAdder add) { add_person_ = std::move(add); }
   /// Live help: a ghost of an expert's instruments in the picture, at the trainee's pace. Never in a test.
   void set_guided(bool on) { actions_->set_guide(on); }
   void click_guide() { actions_->click_guide(); }  // nothing while it is disabled
@@ -118,12 +125,14 @@ class RunPage : public QWidget {
   void show_card(const snapshot::SceneCard& card);
   void launch(bool unrecorded);
   bool agree_on_person();
+  bool enter_person();
   void update_state();
   void update_cues();
   void show_finished();
   void forget_attempt();
 
   bool draws_seed_ = false;
+  PersonAdder add_person_;
   RunControl* control_;
   LessonsModel* lessons_;
   StatusStrip* strip_;

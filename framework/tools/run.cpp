@@ -17,6 +17,7 @@
 #include "judge/metrics.hpp"
 #include "record/address.hpp"
 #include "record/recorder.hpp"
+#include "record/school.hpp"
 #include "session/session.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
@@ -232,6 +233,22 @@ int refused(const RunOptions& o, const base::Problems& problems) {
   return kProblem;
 }
 
+// Enters a person whom nobody knows: otherwise the attempt would make one whose code is the name, and exports would say it.
+void enter_person(const RunOptions& o) {
+  assembly::LessonFile lesson;
+  base::Problems told_later;
+  if (o.person == record::kGuest || o.person.empty() || o.store == ":none:") return;
+  if (!assembly::read_lesson_file(o.lesson, lesson, told_later)) return;
+  if (o.mode == "demo" || (o.mode.empty() && lesson.mode == "demo")) return;  // nothing is kept
+  std::string error;
+  const auto school = record::School::open(store_place(o.store), error);
+  record::Person person;
+  if (school && school->find_person(o.person, person)) return;
+  person.name = o.person;
+  if (school && school->add_person(person)) return tell(base::Severity::kNote, "", say::kNewHere(person.name, person.code));
+  tell(base::Severity::kWarning, "", say::kNotEntered(o.person, school ? school->error() : error));
+}
+
 }  // namespace
 
 int run(const RunOptions& o) {
@@ -252,6 +269,7 @@ int run(const RunOptions& o) {
   options.max_time_s = o.max_time_s;
 
   const Interruptible while_it_runs;
+  enter_person(o);
   base::Problems problems;
   const std::unique_ptr<session::Session> session = session::Session::open(options, problems);
   if (!session || base::failed(problems)) return refused(o, problems);

@@ -73,6 +73,9 @@ inline constexpr auto kNoWindow = "It cannot be started: running without a windo
 inline constexpr auto kIsMouse =
     "\"{}\" is a mouse, and without a window nobody can move it. Choose another hand with --device{}, or an end with --max-time."_sentence;
 inline constexpr auto kHandLost = "This hand is lost: its tool holds, and the lesson waits for it. Ctrl-C ends the attempt."_sentence;
+inline constexpr auto kNewHere = "{} is new here; the code is {}."_sentence;
+inline constexpr auto kNotEntered =
+    "{} could not be looked up or entered: {} A name that is new to the store becomes a code, which exports say."_sentence;
 inline constexpr auto kInterrupted = "Interrupted: the attempt ends as aborted."_sentence;
 
 // swage study

@@ -93,6 +93,30 @@ TEST_F(Trainee, NobodyIsAddedUnasked) {
   EXPECT_EQ(asked, 2);
 }
 
+// The name stays in the roster; the code, which exports say, is a made one.
+TEST_F(Trainee, WhoIsNewGetsAMadeCode) {
+  script.end_s = 0;
+  with_school = true;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  child<QComboBox>("person")->lineEdit()->setText("Nova Newcomer");
+  answer("new_trainee", QMessageBox::AcceptRole);
+  click("start");
+  ASSERT_EQ(log->started, 1);
+  std::string error;
+  const auto school = record::School::open(school_file(), error);
+  ASSERT_TRUE(school) << error;
+  record::Person person;
+  ASSERT_TRUE(school->find_person("Nova Newcomer", person)) << school->error();
+  EXPECT_EQ(person.name, "Nova Newcomer");
+  EXPECT_FALSE(person.code.empty());
+  EXPECT_EQ(person.code.find("Nova"), std::string::npos) << person.code;
+  click("stop");
+  click("start");
+  EXPECT_EQ(log->started, 2);
+  EXPECT_EQ(school->people().size(), 1u) << "entered once";
+}
+
 TEST_F(Trainee, NobodyIsAskedForWhoIsKnownOrWhenNothingIsKept) {
   attempts = sample_attempts();
   open();

@@ -76,6 +76,23 @@ TEST_F(Run, SaysHowItWentAndWhereItIsKept) {
   EXPECT_THAT(said.out, testing::ContainsRegex("kept as attempt [0-9a-f-]{36} in " + store()));
 }
 
+// A name that nobody entered gets a made code; only the roster has the name.
+TEST_F(Run, WhoIsNewGetsAMadeCodeWhichIsTold) {
+  const Said said = run(lesson(), {"--as-fast-as-possible"});
+  ASSERT_EQ(said.code, 0) << said.err;
+  std::string error;
+  const auto school = record::School::open(store(), error);
+  ASSERT_TRUE(school) << error;
+  record::Person ada;
+  ASSERT_TRUE(school->find_person("Ada", ada)) << school->error();
+  EXPECT_NE(ada.code, "Ada");
+  EXPECT_THAT(said.err, HasSubstr(say::kNewHere("Ada", ada.code)));
+  EXPECT_EQ(run(lesson(), {"--as-fast-as-possible"}).err.find("is new here"), std::string::npos) << "said once";
+  EXPECT_EQ(school->people().size(), 1u);
+  ASSERT_EQ(swage({"attempts", "export", "all", path("all.csv"), "--as", "csv", "--store", store()}).code, 0);
+  EXPECT_THAT(read("all.csv"), testing::AllOf(HasSubstr(ada.code), testing::Not(HasSubstr("Ada"))));
+}
+
 TEST_F(Run, WritesEverySignalOfEveryStepWhereAsked) {
   const Said said = run(source("lessons/series/020_grasp_basic.json"),
                         {"--as-fast-as-possible", "--device", "expert", "--trace", path("t.csv")});
