@@ -25,7 +25,9 @@ QString AttemptAdvice::words(bool by_mouse) const {
 
 ControlHints AttemptAdvice::hints(bool test, bool drives) const {
   const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
-  return {wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), !test && misplaced_ && wanted("open"), !test && dropped_};
+  // jaws stay closed when the key is released: who has closed them is told how to open them
+  const bool open = used_.contains(QLatin1String("close")) || (!test && misplaced_);
+  return {wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), open && wanted("open"), !test && dropped_};
 }
 
 }  // namespace swage::console

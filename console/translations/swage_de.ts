@@ -3896,12 +3896,12 @@ Bea L., Frühjahr, links</translation>
         <translation>Tab: das andere Instrument</translation>
     </message>
     <message>
-        <source>Drag, or hold A D W S Q E: move the instrument</source>
-        <translation>Ziehen oder A D W S Q E halten: das Instrument bewegen</translation>
+        <source>Drag, wheel: move the instrument; keys A D: sideways, W S: up and down, Q E: away and near</source>
+        <translation>Ziehen, Rad: das Instrument bewegen; Tasten A D: seitwärts, W S: auf und ab, Q E: weg und her</translation>
     </message>
     <message>
-        <source>Hold Space: close the jaws</source>
-        <translation>Leertaste halten: die Backen schließen</translation>
+        <source>Hold Space: close the jaws, B: open them</source>
+        <translation>Leertaste halten: die Backen schließen, B: öffnen</translation>
     </message>
     <message>
         <source>Hold T: drive the needle</source>

@@ -45,8 +45,8 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   QStringList all;
   if (led) all += tr("Tab: the other instrument");
   if (hints_.put_back) all += tr("F7: put it back");
-  if (hints_.drag) all += tr("Drag, or hold A D W S Q E: move the instrument");
-  if (hints_.close) all += tr("Hold Space: close the jaws");
+  if (hints_.drag) all += tr("Drag, wheel: move the instrument; keys A D: sideways, W S: up and down, Q E: away and near");
+  if (hints_.close) all += tr("Hold Space: close the jaws, B: open them");
   if (hints_.open) all += tr("Hold B: open the jaws");
   if (hints_.drive) all += tr("Hold T: drive the needle");
   return all.join(QString::fromUtf16(kHintGap));

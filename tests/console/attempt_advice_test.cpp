@@ -48,6 +48,16 @@ TEST(AttemptAdvice, WhatIsHeldAtTheWrongPlaceIsLetGoOf) {
   EXPECT_FALSE(advice.hints(false, false).open);
 }
 
+TEST(AttemptAdvice, WhoHasClosedTheJawsIsToldHowToOpenThem) {
+  AttemptAdvice advice;
+  EXPECT_FALSE(advice.hints(false, false).open);
+  advice.use("close");
+  EXPECT_TRUE(advice.hints(false, false).open);
+  EXPECT_TRUE(advice.hints(true, false).open) << "a control is no answer of a test";
+  advice.use("open");
+  EXPECT_FALSE(advice.hints(false, false).open);
+}
+
 TEST(AttemptAdvice, AControlIsToldUntilItWasUsedOnceInAnyAttempt) {
   AttemptAdvice advice;
   advice.set_used("drag");

@@ -140,7 +140,7 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
 TEST(Hint, LeavesTheLabelsOfThePictureToBeRead) {
   constexpr int kWidth_px = 640, kHeight_px = 300;
   const auto ui = console::UiTheme::stock(QStringLiteral("light"));
-  const QString text = QStringLiteral("Hold Space: close the jaws");
+  const QString text = QStringLiteral("Hold Space: close the jaws, B: open them");
   const auto rows = [&](const auto& paint) {  // the highest and the lowest line drawn in the middle
     QImage picture(kWidth_px, kHeight_px, QImage::Format_RGB32);
     picture.fill(Qt::black);
