@@ -58,10 +58,16 @@ CoursesPage::CoursesPage(SchoolDesk* desk, StoreLink* link, LessonsModel* lesson
     if (isVisible()) refresh();
   });
   connect(desk_, &SchoolDesk::failed, this, [this](const QString& why) {
-    problem_->setText(tr("▲ %1").arg(why));
-    problem_->show();
+    if (isVisible()) show_problem(why);  // a failure on another page is shown there
   });
 }
+
+void CoursesPage::show_problem(const QString& why) {
+  problem_->setText(tr("▲ %1").arg(why));
+  problem_->show();
+}
+
+void CoursesPage::hideEvent(QHideEvent*) { problem_->hide(); }
 
 QWidget* CoursesPage::make_courses() {
   Card card = make_card(tr("Courses"), this);

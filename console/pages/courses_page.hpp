@@ -39,7 +39,12 @@ class CoursesPage : public QWidget {
   void refresh();
   const record::Course& course() const { return course_; }
 
+ protected:
+  /// Hides the problem, which is no longer news when the page is shown again.
+  void hideEvent(QHideEvent* event) override;
+
  private:
+  void show_problem(const QString& why);
   QWidget* make_courses();
   QWidget* make_steps();
   QWidget* make_step();

@@ -38,8 +38,8 @@ QString hand_words(const QString& hand) {
 }  // namespace
 
 PersonDialog::PersonDialog(const RosterLine& person, bool is_new, const QStringList& groups, const QStringList& known,
-                           QWidget* parent)
-    : QDialog(parent), known_(known) {
+                           const QStringList& codes, QWidget* parent)
+    : QDialog(parent), known_(known), codes_(codes) {
   setObjectName(QStringLiteral("person_dialog"));
   setWindowTitle(is_new ? tr("Add a person") : tr("Change a person"));
   auto* column = new QVBoxLayout(this);
@@ -79,15 +79,18 @@ PersonDialog::PersonDialog(const RosterLine& person, bool is_new, const QStringL
   problem_->setObjectName(QStringLiteral("person_problem"));
   column->addWidget(problem_);
   ok_ = add_buttons(column, is_new ? tr("Add") : tr("Change"), "person_ok", this);
-  connect(name_, &QLineEdit::textChanged, this, &PersonDialog::check);
+  for (QLineEdit* edit : {name_, code_}) connect(edit, &QLineEdit::textChanged, this, &PersonDialog::check);
   check();
 }
 
 void PersonDialog::check() {
   const QString name = name_->text().simplified();
   const bool taken = known_.contains(name, Qt::CaseInsensitive);
-  problem_->setText(taken ? tr("▲ Somebody is called that already. Add what tells the two apart.") : QString());
-  ok_->setEnabled(!name.isEmpty() && !taken);
+  const bool code_taken = codes_.contains(code_->text().simplified(), Qt::CaseInsensitive);
+  problem_->setText(taken        ? tr("▲ Somebody is called that already. Add what tells the two apart.")
+                    : code_taken ? tr("▲ This code is another person's already. Without one a code is made.")
+                                 : QString());
+  ok_->setEnabled(!name.isEmpty() && !taken && !code_taken);
 }
 
 RosterLine PersonDialog::person() const {

@@ -20,13 +20,14 @@ namespace swage::console {
 class PersonDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `is_new`: the code can still be chosen. `known`: names already in use.
-  PersonDialog(const RosterLine& person, bool is_new, const QStringList& groups, const QStringList& known, QWidget* parent);
+  /// `is_new`: the code can still be chosen. `known`, `codes`: names and codes already in use.
+  PersonDialog(const RosterLine& person, bool is_new, const QStringList& groups, const QStringList& known, const QStringList& codes,
+               QWidget* parent);
   RosterLine person() const;
 
  private:
   void check();
-  QStringList known_;
+  QStringList known_, codes_;
   QLineEdit *name_, *code_;
   QComboBox *group_, *hand_;
   QLabel* problem_;

@@ -61,7 +61,9 @@ QStringList PeoplePage::taken_names(const QString& but) const {
 }
 
 void PeoplePage::add_person() {
-  PersonDialog dialog({}, true, groups_.values(), taken_names(), this);
+  QStringList codes;
+  for (int i = 0; i < people_->rowCount(); ++i) codes += QString::fromStdString(people_->at(i).code);
+  PersonDialog dialog({}, true, groups_.values(), taken_names(), codes, this);
   if (dialog.exec() != QDialog::Accepted) return;
   if (desk_->add_people({dialog.person()})) select_person(dialog.person().name);
 }
@@ -83,7 +85,7 @@ void PeoplePage::change_person() {
   now.group = groups_.value(QString::fromStdString(p.group_id));
   now.hand = QString::fromStdString(p.handedness);
   now.code = QString::fromStdString(p.code);
-  PersonDialog dialog(now, false, groups_.values(), taken_names(now.name), this);
+  PersonDialog dialog(now, false, groups_.values(), taken_names(now.name), {}, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const RosterLine said = dialog.person();
   p.name = said.name.toStdString();

@@ -43,6 +43,7 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
   watch_.start();
   connect(desk_, &SchoolDesk::changed, this, &PeoplePage::refresh);
   connect(desk_, &SchoolDesk::failed, this, [this](const QString& why) {
+    if (!isVisible()) return;  // a failure on another page is shown there
     problem_->setText(tr("▲ %1").arg(why));
     problem_->show();
   });
