@@ -56,24 +56,22 @@ inline void Rod::begin_linear(const RodState& s) {
   now_.find(s.x);
   for (int j = 0; j < edges(); ++j) {
     const Vec3 t = now_.t(at(j));
-    const double inertia = 0.5 * rest_[at(j)] * carried * m_hh_;
-    for (int i = j; inertia > 0 && i <= j + 1; ++i) {
-      const Vec3 goes = Eigen::Map<const Vec3>(hat_.data() + 3 * i) - Eigen::Map<const Vec3>(x0_.data() + 3 * i);
-      Eigen::Map<Vec3>(pushed_.data() + 3 * i) += inertia * (goes - goes.dot(t) * t);
-    }
-    // at the velocity of the middle
-    const Vec3 v = 0.5 * (s.velocity(j) + s.velocity(j + 1));
-    const double c = 0.5 * rest_[at(j)] * rod_drag(load.fluid, 2 * section_.radius, (v - v.dot(t) * t).norm());
-    const double across = c / g_ + inertia, along = 0.5 * c / g_ + inertia;  // the latter less along the axis
-    const Vec3 less = along * t;
-    double *D = drag_.data() + 6 * j, *next = D + 6;
-#pragma GCC unroll 3
-    for (int col = 0, k = 0; col < 3; ++col)
-#pragma GCC unroll 3
-      for (int r = col; r < 3; ++r, ++k) {
-        const double d = (r == col ? across : 0) - less[r] * t[col];
-        D[k] += d, next[k] += d;
+    for (const int i : {j, j + 1}) {
+      const double inertia = 0.5 * rest_[at(j)] * carried * m_hh_;
+      if (inertia > 0) {
+        const Vec3 goes = Eigen::Map<const Vec3>(hat_.data() + 3 * i) - Eigen::Map<const Vec3>(x0_.data() + 3 * i);
+        Eigen::Map<Vec3>(pushed_.data() + 3 * i) += inertia * (goes - goes.dot(t) * t);
       }
+      const Vec3 v = s.velocity(i);
+      const double c =
+          0.5 * rest_[at(j)] * rod_drag(load.fluid, 2 * section_.radius, (v - v.dot(t) * t).norm());
+      double* D = drag_.data() + 6 * i;
+      for (int col = 0, k = 0; col < 3; ++col)
+        for (int r = col; r < 3; ++r, ++k) {
+          D[k] += c / g_ * ((r == col ? 1 : 0) - 0.5 * t[r] * t[col]);
+          if (inertia > 0) D[k] += inertia * ((r == col ? 1 : 0) - t[r] * t[col]);
+        }
+    }
   }
 }
 
