@@ -54,6 +54,14 @@ judge::Words words(const Json& from, const std::string& where) {
   return out;
 }
 
+// an optional key; false without it
+bool flag(const Json& from, const char* key, const std::string& where) {
+  const auto found = from.find(key);
+  if (found == from.end()) return false;
+  if (!found->is_boolean()) refuse(say::kIsNoFlag(key, where));
+  return found->get<bool>();
+}
+
 // "30 deg", "3": to SI; `unit` is the SI symbol
 double quantity(const std::string& given, const std::string& where, std::string& unit) {
   const std::size_t space = given.find(' ');
@@ -69,7 +77,8 @@ judge::RatedBy rated_by(const Json& from, const std::string& item) {
   judge::RatedBy out;
   out.metric = text(from, "id", "a metric of " + item);
   const std::string where = "metric \"" + out.metric + "\" of " + item;
-  expect_keys(from, {"id", "best", "worst"}, where);
+  expect_keys(from, {"id", "best", "worst", "failed"}, where);
+  out.of_failed = flag(from, "failed", where);
   std::string unit;
   out.best = quantity(text(from, "best", where), "\"best\" of " + where, out.unit);
   out.worst = quantity(text(from, "worst", where), "\"worst\" of " + where, unit);
@@ -84,10 +93,7 @@ judge::RatingItem item(const Json& from) {
   const std::string where = "item \"" + out.id + "\"";
   expect_keys(from, {"id", "title", "product", "metrics"}, where);
   out.title = words(from, where);
-  if (const auto product = from.find("product"); product != from.end()) {
-    if (!product->is_boolean()) refuse(say::kProductIsNoFlag(where));
-    out.is_product = product->get<bool>();
-  }
+  out.is_product = flag(from, "product", where);
   for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
   return out;
 }

@@ -46,8 +46,8 @@ std::string ratings_text(judge::Outcome outcome, judge::Metrics metrics) {
   for (const judge::RatingScale& scale : scales(outcome)) {
     const judge::Rating rating = judge::rate(scale, metrics, outcome == judge::Outcome::kPassed);
     if (rating.decided == 0) continue;
-    out += format("  %s: %.1f of %.0f over %zu of %zu items\n", judge::said_in(scale.title, "en").c_str(), rating.mean, scale.highest,
-                  rating.decided, scale.items.size());
+    out += format("  %s: %.1f of %.0f over %zu of %zu items%s\n", judge::said_in(scale.title, "en").c_str(), rating.mean, scale.highest,
+                  rating.decided, scale.items.size(), outcome == judge::Outcome::kPassed ? "" : ", of a failed attempt: no mark of the whole");
   }
   return out;
 }

@@ -75,6 +75,20 @@ TEST(RatingScales, AFaultyFileIsLeftOutAndTold) {
   EXPECT_THAT(errors[0], HasSubstr("b.json"));
 }
 
+// An attempt that failed with a wound of 301 %, without a stray touch: of lost points nothing is told.
+TEST(RatingScales, ATornWoundIsNoRespectForTissue) {
+  std::vector<std::string> errors;
+  const auto scales = rating_scales(SWAGE_SOURCE_DIR "/resources/scales", errors);
+  const auto smart = std::find_if(scales.begin(), scales.end(), [](const judge::RatingScale& s) { return s.id == "smart"; });
+  ASSERT_NE(smart, scales.end());
+  const std::vector<std::pair<std::string, double>> told = {
+      {"wound.size", 3.01}, {"tissue.swept", 0}, {"tissue.stray", 0}, {"insert.deflections", 0}, {"task.success", 0}};
+  const judge::Rating rating = judge::rate(*smart, told, false);
+  for (size_t i = 0; i < smart->items.size(); ++i)
+    if (smart->items[i].id == "respect_for_tissue") EXPECT_THAT(rating.item[i], testing::Optional(testing::DoubleEq(1)));
+  EXPECT_DOUBLE_EQ(rating.mean, 1);
+}
+
 TEST(RatingScales, ThoseThatComeWithSwageAreWhole) {
   std::vector<std::string> errors;
   const auto scales = rating_scales(SWAGE_SOURCE_DIR "/resources/scales", errors);
