@@ -25,6 +25,9 @@ const std::vector<judge::RatingScale>& scales() {
       else
         qWarning("%s: %s", qPrintable(name), error.c_str());
     }
+    std::vector<std::string> errors;
+    host::add_own_scales(read, errors);
+    for (const std::string& error : errors) qWarning("%s", error.c_str());
     return read;
   }();
   return all;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -153,6 +154,25 @@ std::vector<judge::RatingScale> rating_scales(const std::string& folder, std::ve
       errors.push_back(file.string() + ": " + error);
   }
   return out;
+}
+
+std::string own_scales_folder() {
+  const char* data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && *data == '/') return std::string(data) + "/swage/scales";
+  const char* home = std::getenv("HOME");
+  return home != nullptr && *home == '/' ? std::string(home) + "/.local/share/swage/scales" : "";
+}
+
+void add_own_scales(std::vector<judge::RatingScale>& scales, std::vector<std::string>& errors) {
+  const std::string folder = own_scales_folder();
+  if (folder.empty()) return;
+  for (judge::RatingScale& own : rating_scales(folder, errors)) {
+    const bool taken = std::any_of(scales.begin(), scales.end(), [&](const judge::RatingScale& other) { return other.id == own.id; });
+    if (taken)
+      errors.push_back(folder + ": " + say::kSameScale(own.id));
+    else
+      scales.push_back(std::move(own));
+  }
 }
 
 }  // namespace swage::host

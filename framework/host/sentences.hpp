@@ -173,6 +173,7 @@ inline constexpr auto kIsNoObject = "{} is not an object."_sentence;
 inline constexpr auto kUnknownKey = "{} has an unknown key \"{}\"."_sentence;
 inline constexpr auto kUnlikeUnits = "\"best\" and \"worst\" of {} have different units."_sentence;
 inline constexpr auto kSameEnds = "\"best\" and \"worst\" of {} are the same."_sentence;
+inline constexpr auto kSameScale = "The scale \"{}\" is there already: another id is needed."_sentence;
 inline constexpr auto kIsNoFlag = "\"{}\" of {} is neither true nor false."_sentence;
 inline constexpr auto kNotBelow = "\"lowest_points\" is not below \"highest_points\"."_sentence;
 inline constexpr auto kNeedsIsNoList = "\"needs\" of the scale is no list of metrics."_sentence;

@@ -12,8 +12,9 @@ std::vector<judge::RatingScale> scales(judge::Outcome outcome) {
   if (outcome != judge::Outcome::kPassed && outcome != judge::Outcome::kFailed) return {};
   std::vector<std::string> searched, errors;
   const std::string folder = data_folder("scales", searched);
-  if (folder.empty()) return {};
-  std::vector<judge::RatingScale> out = host::rating_scales(folder, errors);
+  std::vector<judge::RatingScale> out;
+  if (!folder.empty()) out = host::rating_scales(folder, errors);
+  host::add_own_scales(out, errors);
   for (const std::string& error : errors) tell(base::Severity::kWarning, "", error);
   return out;
 }

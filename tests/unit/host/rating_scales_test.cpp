@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "../../temp_folder.hpp"
@@ -73,6 +76,25 @@ TEST(RatingScales, AFaultyFileIsLeftOutAndTold) {
   EXPECT_EQ(rating_scales(folder.path(), errors).size(), 1u);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("b.json"));
+}
+
+TEST(RatingScales, OnesOwnComeFromTheHomeFolder) {
+  const test::TempFolder folder;
+  std::filesystem::create_directories(folder / "swage/scales");
+  std::ofstream(folder / "swage/scales/own.json") << kGood;
+  const char* before = std::getenv("XDG_DATA_HOME");
+  const std::string kept = before != nullptr ? before : "";
+  setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+  std::vector<judge::RatingScale> scales;
+  std::vector<std::string> errors;
+  add_own_scales(scales, errors);
+  ASSERT_EQ(scales.size(), 1u);
+  EXPECT_EQ(scales[0].id, "s");
+  add_own_scales(scales, errors);
+  before != nullptr ? setenv("XDG_DATA_HOME", kept.c_str(), 1) : unsetenv("XDG_DATA_HOME");
+  EXPECT_EQ(scales.size(), 1u);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr(say::kSameScale("s")));
 }
 
 // An attempt that failed with a wound of 301 %, without a stray touch: of lost points nothing is told.
