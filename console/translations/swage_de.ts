@@ -2231,6 +2231,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Put what the lesson works on back</source>
         <translation>Woran die Lektion arbeitet, zurücklegen</translation>
     </message>
+    <message>
+        <source>Trainee&apos;s handbook</source>
+        <translation>Handbuch für Übende (englisch)</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s handbook</source>
+        <translation>Handbuch für Lehrende (englisch)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
