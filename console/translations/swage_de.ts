@@ -3843,6 +3843,14 @@ Bea L., Frühjahr, links</translation>
         <source>Add %1 people</source>
         <translation>%1 Personen hinzufügen</translation>
     </message>
+    <message>
+        <source>▲ %1</source>
+        <translation type="unfinished">▲ %1</translation>
+    </message>
+    <message>
+        <source>▲ Columns that are left out: %1.</source>
+        <translation>▲ Nicht übernommene Spalten: %1.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::RulerBar</name>
