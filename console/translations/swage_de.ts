@@ -3845,7 +3845,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>▲ %1</source>
-        <translation type="unfinished">▲ %1</translation>
+        <translation>▲ %1</translation>
     </message>
     <message>
         <source>▲ Columns that are left out: %1.</source>
@@ -5032,6 +5032,14 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Change a value or a part: a copy under another title would be the same lesson.</source>
         <translation>Ändern Sie einen Wert oder ein Teil: Eine Kopie mit anderem Titel wäre dieselbe Lektion.</translation>
+    </message>
+    <message>
+        <source>Nothing is changed yet.</source>
+        <translation>Noch ist nichts geändert.</translation>
+    </message>
+    <message>
+        <source>So are parts.</source>
+        <translation>Ebenso Teile.</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,8 @@ TEST_F(SchoolVerbs, ErasingIsConfirmedAndReachesExportedFiles) {
   ASSERT_EQ(say({"attempts", "export", "all", path("all.csv"), "--as", "csv"}).code, 0);
   ASSERT_EQ(say({"attempts", "export", "all", path("ada.csv"), "--as", "csv-wide", "--person", "Ada Meyer"}).code, 0);
   ASSERT_EQ(say({"attempts", "backup", path("all.backup")}).code, 0);
+  expect_refused({"attempts", "backup", path("all.backup")}, say::kBackupThere(path("all.backup")));
+  ASSERT_EQ(say({"attempts", "backup", path("all.backup"), "--force"}).code, 0);
   EXPECT_THAT(text("all.csv"), HasSubstr(code));
   expect_refused({"people", "erase", "Ada Meyer"}, say::kFinal("Ada Meyer", 1, "Ada Meyer"));
   expect_refused({"people", "erase", "Ada Meyer", "--confirm", "Bo"}, say::kFinal("Ada Meyer", 1, "Ada Meyer"));
