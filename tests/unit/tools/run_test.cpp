@@ -12,6 +12,7 @@
 #include "host/sentences.hpp"
 #include "program.hpp"
 #include "record/recorder.hpp"
+#include "record/school.hpp"
 #include "record/sql.hpp"
 #include "record/store.hpp"
 #include "tools/sentences.hpp"
