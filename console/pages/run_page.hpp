@@ -122,6 +122,7 @@ class RunPage : public QWidget {
   void update_cues();
   void show_finished();
   void forget_attempt();
+  void tell_subject();
 
   bool draws_seed_ = false;
   RunControl* control_;
