@@ -1636,11 +1636,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number; no limit is added.</source>
-        <translation>&quot;%1&quot; ist keine Zahl; es wird keine Grenze hinzugefügt.</translation>
+        <translation>„%1“ ist keine Zahl; es wird keine Grenze hinzugefügt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number; the limit stays as it was.</source>
-        <translation>&quot;%1&quot; ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
+        <translation>„%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
     </message>
     <message>
         <source>There is no limit yet to take from the experts: add one first.</source>
@@ -1648,7 +1648,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>No attempts of experts at this lesson: no limit is changed. Experts are the people of the group &quot;Experts&quot;.</source>
-        <translation>Keine Versuche von Experten an dieser Lektion: keine Grenze wird geändert. Experten sind die Personen der Gruppe &quot;Experten&quot;.</translation>
+        <translation>Keine Versuche von Experten an dieser Lektion: keine Grenze wird geändert. Experten sind die Personen der Gruppe „Experten“.</translation>
     </message>
 </context>
 <context>
