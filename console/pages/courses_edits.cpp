@@ -262,7 +262,7 @@ void CoursesPage::add_limit() {
 void CoursesPage::drop_wanted() {
   if (!wanted_) return;
   wanted_.reset();
-  fill_limits();
+  if (step()) show_limits();
 }
 
 void CoursesPage::limit_edited(int row, int column) {
