@@ -163,6 +163,11 @@ TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
     focus->setFocus();
     const size_t before = limits().size();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_M, Qt::ControlModifier);
+    QLineEdit* number = nullptr;
+    const auto asks = [&] { return (number = child<QTableWidget>("limits")->viewport()->findChild<QLineEdit*>()) != nullptr; };
+    ASSERT_TRUE(eventually(asks)) << name;
+    QTest::keyClicks(number, QStringLiteral("40"));
+    QTest::keyClick(number, Qt::Key_Return);
     EXPECT_TRUE(eventually([&] { return limits().size() == before + 1; })) << name;
   }
 }
