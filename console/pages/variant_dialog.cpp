@@ -274,7 +274,9 @@ void VariantDialog::update_state() {
                  : changes > 1  ? tr("%1 values are changed.").arg(changes)
                  : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
+                 : folder_.isEmpty() ? tr("Nothing is changed yet.")
                                 : tr("Change a value or a part: a copy under another title would be the same lesson.");
+  if (changes > 0 && parts && named) text += QLatin1Char(' ') + tr("So are parts.");
   if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("Those of the last attempt are kept.");
   if (!told_.isEmpty()) text += QLatin1Char(' ') + told_;
   problem_->setText(fault_.isEmpty() ? text : tr("▲ %1").arg(fault_));

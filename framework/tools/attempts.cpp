@@ -156,6 +156,8 @@ int backup_attempts(const AttemptsOptions& o) {
   record::Copied out;
   std::string error;
   const std::string where = store_place(o.store);
+  std::error_code unknown;
+  if (!o.force && std::filesystem::exists(o.file, unknown)) return problem(say::kBackupThere(o.file));
   if (!existing_store(where, error) || !record::backup_store(where, o.file, out, error)) return problem(error);
   // the file is listed, so that erasing a person later covers it too
   std::error_code ignored;

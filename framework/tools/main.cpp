@@ -214,7 +214,8 @@ void add_attempts(CLI::App& app, Arguments& a) {
   in->add_option("files", o.files, "Files that were exported")->required();
   common(in, import_attempts);
   CLI::App* save = verb->add_subcommand("backup", "The whole store, file or server, into one file");
-  save->add_option("file", o.file, "File to write; one that is there is replaced once the new one is whole")->required();
+  save->add_option("file", o.file, "File to write")->required();
+  save->add_flag("--force", o.force, "A file that is there is replaced, once the new one is whole");
   common(save, backup_attempts);
   CLI::App* back = verb->add_subcommand("restore", "What a backup holds into the store; what is there already stays");
   back->add_option("file", o.file, "File that \"backup\" has written")->required();

@@ -36,6 +36,7 @@ inline constexpr auto kAddThem = "{} Add them: swage people add \"{}\"."_sentenc
 inline constexpr auto kOutsideAttempt = "--at: {} s is outside of the attempt, which has {} s."_sentence;
 inline constexpr auto kOfHome = "--home: {}"_sentence;
 inline constexpr auto kFileNotFound = "This store can only be read here: erasing a person will not find this file."_sentence;
+inline constexpr auto kBackupThere = "{} is there already: add --force to replace it."_sentence;
 inline constexpr auto kNotKept = "the attempt was not kept"_sentence;
 inline constexpr auto kNoTrace = "No trace was written: {}"_sentence;
 inline constexpr auto kTraceNotWhole = "The trace could not be written whole."_sentence;

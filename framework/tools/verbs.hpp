@@ -118,6 +118,7 @@ struct AttemptsOptions {
   std::string file;                // backup; salvage: the new store, "" for the place of the damaged one
   std::vector<std::string> files;  // import
   bool json = false;
+  bool force = false;              // backup: a file that is there is replaced
 };
 int list_attempts(const AttemptsOptions&);
 int import_attempts(const AttemptsOptions&);
