@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/view3d/visual_marks.hpp"
 
+#include <QQuaternion>
 #include <algorithm>
-
-#include "toolkit/math.hpp"
 
 namespace swage::console {
 
@@ -15,9 +14,9 @@ constexpr double kFlat = 0.02;    // half the thickness of a disc over its radiu
 void append_disc(const swage_visual& v, double radius, Mesh& out) {
   snapshot::CardShape disc;
   disc.kind = SWAGE_SHAPE_CYLINDER;
-  const toolkit::Vec3 normal = toolkit::vec(v.direction);
-  const toolkit::Quat q = normal.norm() > 0 ? toolkit::Quat::FromTwoVectors(toolkit::Vec3::UnitZ(), normal) : toolkit::Quat::Identity();
-  disc.X_BS = toolkit::Pose{toolkit::vec(v.a), q}.abi();
+  const QVector3D normal(static_cast<float>(v.direction.x), static_cast<float>(v.direction.y), static_cast<float>(v.direction.z));
+  const QQuaternion q = normal.isNull() ? QQuaternion() : QQuaternion::rotationTo({0, 0, 1}, normal);
+  disc.X_BS = {v.a, {q.scalar(), q.x(), q.y(), q.z()}};
   disc.radius = radius;
   disc.half_length = kFlat * radius;
   append_shape(disc, out);

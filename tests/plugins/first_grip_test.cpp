@@ -24,13 +24,20 @@ double newtons(const nlohmann::json& quantity) {
   return std::stod(text);
 }
 
+/// Whether the instrument of a device is a pair of scissors, which grips nothing.
+bool cuts(const nlohmann::json& lesson, const std::string& device) {
+  for (const nlohmann::json& object : lesson.value("objects", nlohmann::json::array()))
+    if (object.value("/follows/closure"_json_pointer, "") == device) return object.value("/params/blades"_json_pointer, false);
+  return false;
+}
+
 /// What is wrong with the first grip of a lesson file; "" where nothing is, or nobody grips by mouse.
 std::string wrong_with(const nlohmann::json& lesson) {
   const nlohmann::json judge = lesson.value("/lesson/params"_json_pointer, nlohmann::json::object());
   if (!judge.contains("force")) return "";
   const double low = newtons(judge["force"][0]), high = newtons(judge["force"][1]);
   for (const nlohmann::json& device : lesson.value("devices", nlohmann::json::array())) {
-    if (device.value("as", "") != "mouse") continue;
+    if (device.value("as", "") != "mouse" || cuts(lesson, device.value("name", ""))) continue;
     const nlohmann::json params = device.value("params", nlohmann::json::object());
     const double rest = params.contains("rest_force") ? newtons(params["rest_force"]) : Speeds{}.rest_force;
     if (!(rest > low && rest <= kOfLimit * high))
