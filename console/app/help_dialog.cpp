@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/app/help_dialog.hpp"
 
+#include <QFile>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScreen>
 #include <QScrollArea>
 #include <QTabWidget>
+#include <QTextBrowser>
 
 #include "console/widgets/parts.hpp"
 
@@ -160,6 +162,17 @@ void HelpDialog::add_tab(QWidget* page, const QString& title) {
   wanted_ = wanted_.expandedTo(page->sizeHint());
 }
 
+// scrolls by itself, and asks for no room
+void HelpDialog::add_handbook(const char* name, const QString& title) {
+  auto* text = new QTextBrowser(tabs_);
+  text->setObjectName(QStringLiteral("handbook_%1").arg(QLatin1String(name)));
+  text->setAccessibleName(title);
+  text->setFrameShape(QFrame::NoFrame);
+  QFile file(QStringLiteral(":/handbook/%1.md").arg(QLatin1String(name)));
+  if (file.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(file.readAll()));
+  tabs_->addTab(text, title);
+}
+
 HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Keys and cues"));
   setObjectName(QStringLiteral("help"));
@@ -169,6 +182,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
   tabs_ = new QTabWidget(this);
   add_tab(make_keys(), tr("Keys"));
   add_tab(make_legend(cues, this).frame, tr("Cues"));
+  add_handbook("trainee", tr("Trainee's handbook"));
+  add_handbook("instructor", tr("Instructor's handbook"));
   tabs_->setFocus();  // Ctrl+Tab goes to the other page
   column->addWidget(tabs_, 1);
   auto* close = make_button(tr("Close"), QStringLiteral("Esc"), QStringLiteral("close_help"), this);

@@ -11,7 +11,7 @@ class QTabWidget;
 
 namespace swage::console {
 
-/// F1: keys and mouse in one tab, the meanings of the cues in the other. The dialog is no larger than its screen.
+/// F1: keys and mouse, the meanings of the cues, and the two handbooks, in tabs. The dialog is no larger than its screen.
 class HelpDialog : public QDialog {
   Q_OBJECT
  public:
@@ -24,6 +24,7 @@ class HelpDialog : public QDialog {
   static Card picture_keys(QWidget* parent);
   static Card review_keys(QWidget* parent);
   void add_tab(QWidget* page, const QString& title);
+  void add_handbook(const char* name, const QString& title);
 
   QTabWidget* tabs_ = nullptr;
   QSize wanted_;  // px, of the largest page

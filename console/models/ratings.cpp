@@ -25,6 +25,9 @@ const std::vector<judge::RatingScale>& scales() {
       else
         qWarning("%s: %s", qPrintable(name), error.c_str());
     }
+    std::vector<std::string> errors;
+    host::add_own_scales(read, errors);
+    for (const std::string& error : errors) qWarning("%s", error.c_str());
     return read;
   }();
   return all;
@@ -65,7 +68,9 @@ QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metr
     RatingLine mean = line(scale, rating.mean);
     mean.id = scale.id;
     mean.mean = true;
-    mean.name = QObject::tr("%1, computed (%2 of %3 items)").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
+    const QString of = outcome == "passed" ? QObject::tr("%1, computed (%2 of %3 items)")
+                                           : QObject::tr("%1, computed of a failed attempt (%2 of %3 items)");
+    mean.name = of.arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
     mean.doc = QObject::tr("Computed from metrics; %1 of %2 items. Items not decided by the program are not counted. Source: %3")
                    .arg(rating.decided)
                    .arg(scale.items.size())
@@ -89,7 +94,11 @@ QString RatedScale::points_words(double points) const {
 
 QString RatedScale::computed_words() const {
   if (decided == 0) return QObject::tr("The metrics of this attempt decide no item.");
-  return QObject::tr("Computed from metrics: %1, the mean of %2 of %3 items; items not decided by the program are not counted.")
+  const QString words = QObject::tr("Computed from metrics: %1, the mean of %2 of %3 items; items not decided by the program are not counted.");
+  const QString not_passed =
+      QObject::tr("Not passed, and no mark of the whole: what a failed attempt lost is not counted in points. Computed from metrics: %1, "
+                  "the mean of %2 of %3 items.");
+  return (failed ? not_passed : words)
       .arg(points_words(computed_mean))
       .arg(decided)
       .arg(items.size());
@@ -111,6 +120,7 @@ QVector<RatedScale> rated_scales(const std::string& outcome, judge::Metrics metr
     one.source = QString::fromStdString(scale.source);
     one.lowest = scale.lowest;
     one.highest = scale.highest;
+    one.failed = outcome == "failed";
     one.decided = static_cast<int>(rating.decided);
     one.computed_mean = rating.mean;
     for (size_t i = 0; i < scale.items.size(); ++i) {

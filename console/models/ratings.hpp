@@ -37,6 +37,7 @@ struct RatedScale {
   std::string id;
   QString title, source;  // source: origin of the scale and the assumptions made, from its file
   double lowest = 1, highest = 5;
+  bool failed = false;         // the attempt
   int decided = 0, given = 0;  // number of items
   double computed_mean = 0, given_mean = 0;
   QVector<RatedItem> items;

@@ -3,7 +3,10 @@
 
 #include <QCoreApplication>
 #include <QSet>
-#include <array>
+#include <string>
+#include <vector>
+
+#include "record/people_list.hpp"
 
 namespace swage::console {
 namespace {
@@ -39,18 +42,7 @@ QChar separator_of(const QString& line) {
   return QLatin1Char(',');
 }
 
-enum Column { kName, kGroup, kHand, kCode, kNone };
-
-Column column_of(const QString& word) {
-  static const std::array<QStringList, 4> words = {
-      QStringList{QStringLiteral("name"), QStringLiteral("trainee"), QStringLiteral("student")},
-      QStringList{QStringLiteral("group"), QStringLiteral("gruppe"), QStringLiteral("cohort"), QStringLiteral("class")},
-      QStringList{QStringLiteral("hand"), QStringLiteral("handedness")},
-      QStringList{QStringLiteral("id"), QStringLiteral("code"), QStringLiteral("pseudonym")}};
-  for (size_t i = 0; i < words.size(); ++i)
-    if (words[i].contains(word.toLower())) return static_cast<Column>(i);
-  return kNone;
-}
+using Column = record::ListColumn;
 
 /// "left", "right", "" for nothing; false for anything else.
 bool read_hand(const QString& cell, QString& hand) {
@@ -63,13 +55,15 @@ bool read_hand(const QString& cell, QString& hand) {
 
 RosterLine read_line(const QStringList& line, const QVector<Column>& order) {
   RosterLine out;
-  QString hand;
+  QString hand, last;
   for (qsizetype i = 0; i < std::min(line.size(), order.size()); ++i) {
-    if (order[i] == kName) out.name = line[i];
-    if (order[i] == kGroup) out.group = line[i];
-    if (order[i] == kHand) hand = line[i];
-    if (order[i] == kCode) out.code = line[i];
+    if (order[i] == Column::kName || order[i] == Column::kFirst) out.name = line[i];
+    if (order[i] == Column::kLast) last = line[i];
+    if (order[i] == Column::kGroup) out.group = line[i];
+    if (order[i] == Column::kHand) hand = line[i];
+    if (order[i] == Column::kCode) out.code = line[i];
   }
+  out.name = QStringLiteral("%1 %2").arg(out.name, last).trimmed();
   if (!read_hand(hand, out.hand)) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("\"%1\" is neither left nor right").arg(hand);
   if (out.name.isEmpty()) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("No name");
   if (out.name.size() > kLongest) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("Longer than %1 characters").arg(kLongest);
@@ -78,18 +72,20 @@ RosterLine read_line(const QStringList& line, const QVector<Column>& order) {
 
 }  // namespace
 
-QVector<RosterLine> read_roster(const QString& text, const QStringList& known) {
+QVector<RosterLine> read_roster(const QString& text, const QStringList& known, QStringList* left_out) {
   QVector<RosterLine> out;
   QStringList lines = text.split(QLatin1Char('\n'));
   lines.removeIf([](const QString& line) { return line.trimmed().isEmpty(); });
   if (lines.isEmpty()) return out;
   const QChar separator = separator_of(lines.first());
-  QVector<Column> order;
-  for (const QString& word : cells(lines.first(), separator)) order += column_of(word);
-  if (order.contains(kName))
-    lines.removeFirst();
-  else
-    order = {kName, kGroup, kHand, kCode};
+  std::vector<std::string> titles;
+  for (const QString& title : cells(lines.first(), separator)) titles.push_back(title.toStdString());
+  const record::ListHead head = record::read_list_head(titles);
+  if (!head.columns.empty()) lines.removeFirst();
+  const std::vector<Column> columns = head.columns.empty() ? record::usual_columns() : head.columns;
+  const QVector<Column> order(columns.begin(), columns.end());
+  for (const std::string& title : head.left_out)
+    if (left_out) *left_out += QString::fromStdString(title);
   QSet<QString> names, there;
   for (const QString& name : known) there += name.toCaseFolded();
   for (const QString& text_line : lines) {

@@ -17,7 +17,7 @@ struct RosterLine {
 };
 
 /// Columns are separated by tabs, semicolons or commas, whichever the first line has. A first line with the words name, group, hand, id
-/// gives their order; without it that is the order. `known`: existing names.
-QVector<RosterLine> read_roster(const QString& text, const QStringList& known);
+/// gives their order; without it that is the order. `known`: existing names. `left_out`: titles of columns that are not known.
+QVector<RosterLine> read_roster(const QString& text, const QStringList& known, QStringList* left_out = nullptr);
 
 }  // namespace swage::console

@@ -9,7 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
+#include "record/people_list.hpp"
 
 namespace swage::console {
 namespace {
@@ -146,15 +148,18 @@ void RosterDialog::open_file() {
   const QString name = QFileDialog::getOpenFileName(this, tr("A list of people"), {}, tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
   QFile file(name);
   if (name.isEmpty()) return;
-  if (file.open(QIODevice::ReadOnly))
-    text_->setPlainText(QString::fromUtf8(file.readAll()));
-  else
-    says_->setText(tr("▲ %1 cannot be read: %2.").arg(name, file.errorString()));
+  if (!file.open(QIODevice::ReadOnly)) return says_->setText(tr("▲ %1 cannot be read: %2.").arg(name, file.errorString()));
+  std::string text, told, error;
+  if (!record::decode_list(file.readAll().toStdString(), text, told, error))
+    return says_->setText(tr("▲ %1").arg(said(QString::fromStdString(error))));
+  text_->setPlainText(QString::fromStdString(text));
+  if (!told.empty()) says_->setText((QStringLiteral("▲ %1 %2").arg(said(QString::fromStdString(told)), says_->text())).trimmed());
 }
 
 void RosterDialog::read() {
   using Is = RosterLine::Is;
-  lines_ = read_roster(text_->toPlainText(), known_);
+  QStringList left_out;
+  lines_ = read_roster(text_->toPlainText(), known_, &left_out);
   const auto n = std::count_if(lines_.begin(), lines_.end(), [](const RosterLine& l) { return l.is == Is::kNew; });
   preview_->setRowCount(static_cast<int>(lines_.size()));
   for (int i = 0; i < lines_.size(); ++i) {
@@ -171,6 +176,8 @@ void RosterDialog::read() {
                  : n == lines_.size()
                      ? QString()
                      : tr("%1 of %2 lines are left out; the preview says why.").arg(lines_.size() - n).arg(lines_.size()));
+  if (!left_out.isEmpty())
+    says_->setText((tr("▲ Columns that are left out: %1.").arg(left_out.join(QStringLiteral(", "))) + QLatin1Char(' ') + says_->text()).trimmed());
   add_->setEnabled(n > 0);
   add_->setText(n == 0 ? tr("Add") : n == 1 ? tr("Add 1 person") : tr("Add %1 people").arg(n));
 }

@@ -454,6 +454,14 @@
         <source>Recorded hand: %1</source>
         <translation>Aufgezeichnete Hand: %1</translation>
     </message>
+    <message>
+        <source>%1, computed of a failed attempt (%2 of %3 items)</source>
+        <translation>%1, berechnet für einen nicht bestandenen Versuch (%2 von %3 Kriterien)</translation>
+    </message>
+    <message>
+        <source>Not passed, and no mark of the whole: what a failed attempt lost is not counted in points. Computed from metrics: %1, the mean of %2 of %3 items.</source>
+        <translation>Nicht bestanden, und keine Note des Ganzen: Was ein nicht bestandener Versuch verlor, wird nicht in Punkten gezählt. Aus Kennzahlen berechnet: %1, Mittel von %2 der %3 Kriterien.</translation>
+    </message>
 </context>
 <context>
     <name>ScenePainter</name>
@@ -2223,6 +2231,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Put what the lesson works on back</source>
         <translation>Woran die Lektion arbeitet, zurücklegen</translation>
     </message>
+    <message>
+        <source>Trainee&apos;s handbook</source>
+        <translation>Handbuch für Übende (englisch)</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s handbook</source>
+        <translation>Handbuch für Lehrende (englisch)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -3826,6 +3842,14 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Add %1 people</source>
         <translation>%1 Personen hinzufügen</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation type="unfinished">▲ %1</translation>
+    </message>
+    <message>
+        <source>▲ Columns that are left out: %1.</source>
+        <translation>▲ Nicht übernommene Spalten: %1.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -54,6 +55,14 @@ judge::Words words(const Json& from, const std::string& where) {
   return out;
 }
 
+// an optional key; false without it
+bool flag(const Json& from, const char* key, const std::string& where) {
+  const auto found = from.find(key);
+  if (found == from.end()) return false;
+  if (!found->is_boolean()) refuse(say::kIsNoFlag(key, where));
+  return found->get<bool>();
+}
+
 // "30 deg", "3": to SI; `unit` is the SI symbol
 double quantity(const std::string& given, const std::string& where, std::string& unit) {
   const std::size_t space = given.find(' ');
@@ -69,7 +78,8 @@ judge::RatedBy rated_by(const Json& from, const std::string& item) {
   judge::RatedBy out;
   out.metric = text(from, "id", "a metric of " + item);
   const std::string where = "metric \"" + out.metric + "\" of " + item;
-  expect_keys(from, {"id", "best", "worst"}, where);
+  expect_keys(from, {"id", "best", "worst", "failed"}, where);
+  out.of_failed = flag(from, "failed", where);
   std::string unit;
   out.best = quantity(text(from, "best", where), "\"best\" of " + where, out.unit);
   out.worst = quantity(text(from, "worst", where), "\"worst\" of " + where, unit);
@@ -84,10 +94,7 @@ judge::RatingItem item(const Json& from) {
   const std::string where = "item \"" + out.id + "\"";
   expect_keys(from, {"id", "title", "product", "metrics"}, where);
   out.title = words(from, where);
-  if (const auto product = from.find("product"); product != from.end()) {
-    if (!product->is_boolean()) refuse(say::kProductIsNoFlag(where));
-    out.is_product = product->get<bool>();
-  }
+  out.is_product = flag(from, "product", where);
   for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
   return out;
 }
@@ -147,6 +154,25 @@ std::vector<judge::RatingScale> rating_scales(const std::string& folder, std::ve
       errors.push_back(file.string() + ": " + error);
   }
   return out;
+}
+
+std::string own_scales_folder() {
+  const char* data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && *data == '/') return std::string(data) + "/swage/scales";
+  const char* home = std::getenv("HOME");
+  return home != nullptr && *home == '/' ? std::string(home) + "/.local/share/swage/scales" : "";
+}
+
+void add_own_scales(std::vector<judge::RatingScale>& scales, std::vector<std::string>& errors) {
+  const std::string folder = own_scales_folder();
+  if (folder.empty()) return;
+  for (judge::RatingScale& own : rating_scales(folder, errors)) {
+    const bool taken = std::any_of(scales.begin(), scales.end(), [&](const judge::RatingScale& other) { return other.id == own.id; });
+    if (taken)
+      errors.push_back(folder + ": " + say::kSameScale(own.id));
+    else
+      scales.push_back(std::move(own));
+  }
 }
 
 }  // namespace swage::host

@@ -23,9 +23,12 @@ const std::string& said_in(const Words& words, const std::string& language);
 struct RatedBy {
   std::string metric, unit;
   double best = 0, worst = 1;
+  bool of_failed = false;  // decides the item of a failed attempt only; see RatingItem
 };
 
-/// An item is the mean of its metrics; without metrics it is left to an observer.
+/// An item is the mean of its metrics; without metrics it is left to an observer. Of a failed attempt no lost points are told
+/// ("points.wound"): what is left would be a mean without the errors. An item with such metrics is then the lowest of those marked
+/// of_failed, and not decided without them.
 struct RatingItem {
   std::string id;
   Words title;

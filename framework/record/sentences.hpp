@@ -111,7 +111,11 @@ inline constexpr auto kNoHandedness = "\"{}\" is no handedness; \"left\" and \"r
 inline constexpr auto kNameTaken = "Somebody is called \"{}\" already: add what tells the two apart."_sentence;
 inline constexpr auto kStillRunning = "Attempt {} is still running."_sentence;
 inline constexpr auto kNoGuest = "Attempt {} is no guest's: it belongs to {}."_sentence;
-inline constexpr auto kColumn = "The column \"{}\" is not known: name, code, handedness and group are."_sentence;
+inline constexpr auto kColumn =
+    "The column \"{}\" is left out: name, group, hand and code are known, and first name and last name."_sentence;
+inline constexpr auto kHeadWithoutName = "Its first line titles columns (\"{}\"...), and none of them is \"name\"."_sentence;
+inline constexpr auto kWindowsText = "Line {} is not UTF-8: the list was read as Windows-1252. Check letters such as \u00e4 and \u00e9."_sentence;
+inline constexpr auto kOtherText = "Line {} is neither UTF-8 nor Windows-1252: save the table as CSV, UTF-8."_sentence;
 inline constexpr auto kManyFields = "It has {} fields, {} are expected."_sentence;
 inline constexpr auto kNoName = "It has no name."_sentence;
 inline constexpr auto kOfLine = "Line {}: {} Nobody was added."_sentence;

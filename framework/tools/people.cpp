@@ -148,12 +148,16 @@ int edit_person(const PeopleOptions& o) {
 }
 
 int import_people(const PeopleOptions& o) {
-  std::string text, error;
-  if (!read_list(o.file, text)) return problem(say::kNotRead(o.file));
+  std::string bytes, text, encoding, error;
+  if (!read_list(o.file, bytes)) return problem(say::kNotRead(o.file));
+  if (!record::decode_list(bytes, text, encoding, error)) return problem(say::kOfFile(o.file, error));
+  if (!encoding.empty()) tell(base::Severity::kWarning, o.file, encoding);
   const auto school = open(o.store);
   if (!school) return kProblem;
   std::vector<record::ListedPerson> list;
-  if (!record::read_people(text, school->people(), school->groups(), list, error)) return problem(say::kOfFile(o.file, error));
+  std::vector<std::string> left_out;
+  if (!record::read_people(text, school->people(), school->groups(), list, error, &left_out)) return problem(say::kOfFile(o.file, error));
+  for (const std::string& column : left_out) tell(base::Severity::kWarning, o.file, column);
   int added = static_cast<int>(std::count_if(list.begin(), list.end(), [](const auto& p) { return !p.is_there && p.problem.empty(); }));
   const bool faulty = std::any_of(list.begin(), list.end(), [](const auto& p) { return !p.problem.empty(); });
   if (!o.dry_run || faulty)

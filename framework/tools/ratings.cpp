@@ -12,8 +12,9 @@ std::vector<judge::RatingScale> scales(judge::Outcome outcome) {
   if (outcome != judge::Outcome::kPassed && outcome != judge::Outcome::kFailed) return {};
   std::vector<std::string> searched, errors;
   const std::string folder = data_folder("scales", searched);
-  if (folder.empty()) return {};
-  std::vector<judge::RatingScale> out = host::rating_scales(folder, errors);
+  std::vector<judge::RatingScale> out;
+  if (!folder.empty()) out = host::rating_scales(folder, errors);
+  host::add_own_scales(out, errors);
   for (const std::string& error : errors) tell(base::Severity::kWarning, "", error);
   return out;
 }
@@ -46,8 +47,8 @@ std::string ratings_text(judge::Outcome outcome, judge::Metrics metrics) {
   for (const judge::RatingScale& scale : scales(outcome)) {
     const judge::Rating rating = judge::rate(scale, metrics, outcome == judge::Outcome::kPassed);
     if (rating.decided == 0) continue;
-    out += format("  %s: %.1f of %.0f over %zu of %zu items\n", judge::said_in(scale.title, "en").c_str(), rating.mean, scale.highest,
-                  rating.decided, scale.items.size());
+    out += format("  %s: %.1f of %.0f over %zu of %zu items%s\n", judge::said_in(scale.title, "en").c_str(), rating.mean, scale.highest,
+                  rating.decided, scale.items.size(), outcome == judge::Outcome::kPassed ? "" : ", of a failed attempt: no mark of the whole");
   }
   return out;
 }

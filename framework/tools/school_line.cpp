@@ -53,7 +53,7 @@ void add_people(CLI::App& app, std::function<int()>& chosen) {
   edit->add_option("--name", o.name, "New name");
   facts(edit);
   verb(edit, o, edit_person, chosen);
-  CLI::App* import = all->add_subcommand("import", "A list: one name a line, or CSV with a head of name, code, handedness, group");
+  CLI::App* import = all->add_subcommand("import", "A list: one name a line, or CSV with a head of name, group, hand, code in any order");
   import->add_option("file", o.file, "File, or - for standard input")->required();
   import->add_flag("--dry-run", o.dry_run, "Only say what would be done");
   verb(import, o, import_people, chosen);

@@ -40,6 +40,16 @@ TEST(Roster, ColumnsAreNamedOrInTheirOrder) {
   EXPECT_EQ(bare[0].hand, "left");
 }
 
+TEST(Roster, AHeadOfAnotherProgramIsRecognisedAndTheRestTold) {
+  QStringList left_out;
+  const auto all = read_roster(QStringLiteral("First name,Last name,Student ID,Cohort\nNova,Newcomer,77,Spring\n"), {}, &left_out);
+  ASSERT_EQ(all.size(), 1);
+  EXPECT_EQ(all[0].name, "Nova Newcomer");
+  EXPECT_EQ(all[0].group, "Spring");
+  EXPECT_EQ(all[0].code, "");
+  EXPECT_EQ(left_out, QStringList{QStringLiteral("Student ID")});
+}
+
 TEST(Roster, WhatCannotBeAddedSaysWhy) {
   const auto all = read_roster(QStringLiteral("name,hand\nAda,both\n,left\n") + QString(100, QLatin1Char('x')) + QStringLiteral(",left"), {});
   ASSERT_EQ(all.size(), 3);

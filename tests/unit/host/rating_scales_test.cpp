@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "../../temp_folder.hpp"
@@ -73,6 +76,39 @@ TEST(RatingScales, AFaultyFileIsLeftOutAndTold) {
   EXPECT_EQ(rating_scales(folder.path(), errors).size(), 1u);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("b.json"));
+}
+
+TEST(RatingScales, OnesOwnComeFromTheHomeFolder) {
+  const test::TempFolder folder;
+  std::filesystem::create_directories(folder / "swage/scales");
+  std::ofstream(folder / "swage/scales/own.json") << kGood;
+  const char* before = std::getenv("XDG_DATA_HOME");
+  const std::string kept = before != nullptr ? before : "";
+  setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+  std::vector<judge::RatingScale> scales;
+  std::vector<std::string> errors;
+  add_own_scales(scales, errors);
+  ASSERT_EQ(scales.size(), 1u);
+  EXPECT_EQ(scales[0].id, "s");
+  add_own_scales(scales, errors);
+  before != nullptr ? setenv("XDG_DATA_HOME", kept.c_str(), 1) : unsetenv("XDG_DATA_HOME");
+  EXPECT_EQ(scales.size(), 1u);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr(say::kSameScale("s")));
+}
+
+// An attempt that failed with a wound of 301 %, without a stray touch: of lost points nothing is told.
+TEST(RatingScales, ATornWoundIsNoRespectForTissue) {
+  std::vector<std::string> errors;
+  const auto scales = rating_scales(SWAGE_SOURCE_DIR "/resources/scales", errors);
+  const auto smart = std::find_if(scales.begin(), scales.end(), [](const judge::RatingScale& s) { return s.id == "smart"; });
+  ASSERT_NE(smart, scales.end());
+  const std::vector<std::pair<std::string, double>> told = {
+      {"wound.size", 3.01}, {"tissue.swept", 0}, {"tissue.stray", 0}, {"insert.deflections", 0}, {"task.success", 0}};
+  const judge::Rating rating = judge::rate(*smart, told, false);
+  for (size_t i = 0; i < smart->items.size(); ++i)
+    if (smart->items[i].id == "respect_for_tissue") EXPECT_THAT(rating.item[i], testing::Optional(testing::DoubleEq(1)));
+  EXPECT_DOUBLE_EQ(rating.mean, 1);
 }
 
 TEST(RatingScales, ThoseThatComeWithSwageAreWhole) {

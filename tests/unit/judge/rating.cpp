@@ -48,6 +48,19 @@ TEST(Rating, AFailedAttemptHasNoProduct) {
   EXPECT_THAT(rate(scale, told, false).item, ElementsAre(Optional(DoubleEq(1)), std::nullopt, Optional(DoubleEq(3))));
 }
 
+// Of a failed attempt no lost points are told: a mean of what is left would leave the errors out.
+TEST(Rating, AnItemOfLostPointsIsTheWorstOfWhatDecidesAFailedAttempt) {
+  RatingScale scale = kScale;
+  scale.items[0].by = {{"points.wound", "1", 0, 30}, {"stray", "1", 0, 5}, {"wound", "1", 1, 3, true}, {"refused", "1", 0, 3, true}};
+  scale.items[1].by = {{"points.time", "1", 0, 15}, {"path", "1", 0, 1}};
+  const Told told = {{"stray", 0}, {"wound", 3.01}, {"refused", 0}, {"path", 0}, {"task.success", 0}};
+  EXPECT_THAT(rate(scale, told, false).item, ElementsAre(Optional(DoubleEq(1)), std::nullopt, Optional(DoubleEq(1))));
+  EXPECT_THAT(rate(scale, Told{{"stray", 0}}, false).item[0], std::nullopt) << "nothing decides it";
+  EXPECT_THAT(rate(scale, Told{{"stray", 0}, {"wound", 2}}, false).item[0], Optional(DoubleEq(3)));
+  const Told passed = {{"stray", 0}, {"points.wound", 15}, {"wound", 3}};
+  EXPECT_THAT(rate(scale, passed, true).item[0], Optional(DoubleEq(4))) << "of a passed one the points count, and the wound not twice";
+}
+
 TEST(Rating, AScaleSaysNothingOfAnAttemptThatLacksWhatItNeeds) {
   RatingScale scale = kScale;
   scale.needs = {"knot.slides"};

@@ -81,8 +81,11 @@ TEST_F(SchoolVerbs, PeopleComeAndGo) {
   EXPECT_EQ(json({"people", "list"}).size(), 2u);
   expect_refused({"people", "add", "Ada Meyer"}, record::say::kNameTaken("Ada Meyer"));
   expect_refused({"people", "edit", "Aad Meyer", "--name", "x"}, record::say::kNobody("Aad Meyer") + host::did_you_mean("Aad Meyer", {"Ada Meyer"}));
-  write("bad.csv", "name,shoe size\nCy,43\n");
-  expect_refused({"people", "import", path("bad.csv")}, record::say::kColumn("shoe size"));
+  write("bad.csv", "name,shoe size\nFrida B\xF6hm,43\n");
+  const Said odd = say({"people", "import", path("bad.csv"), "--dry-run"});
+  EXPECT_EQ(odd.code, 0);
+  EXPECT_THAT(odd.err, testing::AllOf(HasSubstr(record::say::kColumn("shoe size")), HasSubstr(record::say::kWindowsText(2))));
+  EXPECT_THAT(odd.out, HasSubstr("Frida B\xC3\xB6hm"));
   expect_refused({"people", "import", path("none.csv")}, say::kNotRead(path("none.csv")));
 }
 
