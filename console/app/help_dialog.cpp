@@ -30,7 +30,9 @@ Card make_table(const QString& heading, const QVector<Line>& lines, QWidget* par
     key->setProperty("key", true);
     const int row = grid->rowCount();
     grid->addWidget(key, row, 0);
-    grid->addWidget(new QLabel(line.what, card.frame), row, 1);
+    auto* what = new QLabel(line.what, card.frame);
+    what->setProperty("wraps", true);
+    grid->addWidget(what, row, 1);
   }
   card.body->addLayout(grid);
   card.body->addStretch(1);
@@ -160,6 +162,9 @@ void HelpDialog::add_tab(QWidget* page, const QString& title) {
   area->setWidget(page);
   tabs_->addTab(area, title);
   wanted_ = wanted_.expandedTo(page->sizeHint());
+  // from now on: a page that wraps asks for less width than it can use
+  for (auto* label : page->findChildren<QLabel*>())
+    if (label->property("wraps").toBool()) label->setWordWrap(true);
 }
 
 // scrolls by itself, and asks for no room

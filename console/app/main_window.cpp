@@ -6,6 +6,7 @@
 #include <QHash>
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <optional>
 
@@ -14,6 +15,8 @@
 #include "console/app/language.hpp"
 #include "console/app/window_keys.hpp"
 #include "console/widgets/parts.hpp"
+#include "record/address.hpp"
+#include "record/identity.hpp"
 
 namespace swage::console {
 
@@ -38,6 +41,7 @@ MainWindow::MainWindow(Services services, const Launch& launch, QWidget* parent)
   lessons_.set_folders(launch.lesson_folders);
   make_parts(make_middle(), services);
   connect_setup();
+  show_store(launch);
   fill_top_bar();
   add_keys();
   const GlProbe& gl = run_page()->view()->gl();
@@ -88,6 +92,17 @@ void MainWindow::connect_setup() {
   connect(setup, &SetupPage::trainee_settings, trainee_.get(), &TraineePlace::show_settings);
   connect(setup, &SetupPage::station_settings, trainee_.get(), &TraineePlace::show_station);
   connect(setup, &SetupPage::calibrate_sensor, this, &MainWindow::show_calibration);
+}
+
+// Without the password that a server's address may have.
+void MainWindow::show_store(const Launch& launch) {
+  const std::string& given = launch.options.store_path;
+  const QString store = QString::fromStdString(given.empty() ? record::Store::default_path() : given);
+  const bool server = record::is_postgres(launch.options.store_path);
+  const QString station = launch.station.isEmpty() ? QString::fromStdString(record::station()) : launch.station;
+  setup_page()->show_place(station, store == QLatin1String(":none:") ? QString()
+                                    : server                         ? QUrl(store).toString(QUrl::RemovePassword)
+                                                                     : store);
 }
 
 // What belongs to no page stands behind the pages' buttons.

@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
   Pages* make_middle();
   void make_parts(Pages* pages, Services& services);
   void connect_setup();
+  void show_store(const Launch& launch);
   void fill_top_bar();
   void add_keys();
   void restore(const Launch& launch);

@@ -44,7 +44,7 @@ int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.
 QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rows_.size()) return {};
   const record::AttemptRow& a = rows_[index.row()];
-  const bool number = index.column() == kScore || index.column() == kTime;
+  const bool number = index.column() == kScore;  // a time has five characters in every row, and its column stands before words
   if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == kId) return qt(a.id);
   if (role == Qt::ToolTipRole && index.column() == kLesson) return qt(a.lesson_id);
@@ -79,7 +79,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
 QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) {
-    return int((section == kScore || section == kTime ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return int((section == kScore ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {

@@ -10,18 +10,29 @@
 
 #include "console/models/metric_bars.hpp"
 #include "console/models/metric_titles.hpp"
+#include "console/models/words.hpp"
 #include "judge/learning.hpp"
 
 namespace swage::console {
 namespace {
 
 constexpr uint32_t kAttempts = 30;   // about as many as a resident makes of a lesson
+constexpr uint32_t kADay = 10;       // attempts a day where the rule counts all
 constexpr uint32_t kRuns = 10'000;   // simulated trainees: accuracy 0.5 of 100, in a tenth of a second
 constexpr size_t kFewExperts = 5;    // fewer are a poor sample of experts (ux-assessment 12.4)
 
 class CourseWords {
   Q_DECLARE_TR_FUNCTIONS(course_words)
 };
+
+/// Two digits in the unit that is shown; away from the experts' values, so that as many of them keep the limit as before.
+double rounded(double value, const judge::Limit& limit, bool up) {
+  const double factor = display_factor(metric_unit(QString::fromStdString(limit.metric), QString::fromStdString(limit.unit)));
+  const double shown = value * factor;
+  if (!std::isfinite(shown) || shown == 0) return value;
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - 1), steps = shown / step;
+  return (up ? std::ceil(steps - 1e-9) : std::floor(steps + 1e-9)) * step / factor;
+}
 
 }  // namespace
 
@@ -47,11 +58,16 @@ QStringList rule_odds(const judge::PassRule& rule) {
   QStringList out;
   if (!judge::problem_of(rule).empty()) return out;
   for (const int tenths : {5, 7, 9}) {
-    const judge::RuleOdds odds = judge::simulate(rule, 0.1 * tenths, kAttempts, rule.a_day ? rule.a_day : 10, kRuns);
+    const judge::RuleOdds odds = judge::simulate(rule, 0.1 * tenths, kAttempts, rule.a_day ? rule.a_day : kADay, kRuns);
     QString line = CourseWords::tr("succeeds %1 times in 10: passes in %L2 of 100 cases").arg(tenths).arg(100 * odds.passed, 0, 'f', odds.passed < 0.02 ? 1 : 0);
     if (std::isfinite(odds.typical)) line += CourseWords::tr(", typically after %1 attempts").arg(odds.typical, 0, 'f', 0);
     out += line;
   }
+  const uint32_t a_day = rule.a_day ? rule.a_day : kADay;
+  QString assumed = CourseWords::tr("assumed: %1 attempts on every day").arg(a_day);
+  if (rule.kind == judge::PassRule::Kind::kStreak && rule.later_day > 0)
+    assumed += CourseWords::tr("; the rule asks for a later day, so nobody passes before attempt %1").arg(a_day + rule.later_day);
+  out += assumed;
   return out;
 }
 
@@ -86,8 +102,8 @@ bool suggest_limit(judge::Limit& limit, const std::vector<const record::AttemptR
   }
   const judge::Band band = judge::expert_band(values);
   if (band.attempts == 0 || (better != SWAGE_BETTER_LOWER && better != SWAGE_BETTER_HIGHER)) return false;
-  if (better == SWAGE_BETTER_LOWER) limit.most = band.p90;
-  if (better == SWAGE_BETTER_HIGHER) limit.least = band.p10;
+  if (better == SWAGE_BETTER_LOWER) limit.most = rounded(band.p90, limit, true);
+  if (better == SWAGE_BETTER_HIGHER) limit.least = rounded(band.p10, limit, false);
   limit.source = "experts, 10 % to 90 %, people " + std::to_string(band.people) + ", attempts " + std::to_string(band.attempts) +
                  (band.people < kFewExperts ? ", fewer than 5 people" : "");
   return true;

@@ -55,7 +55,8 @@ QVariant EventLog::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rows_.size()) return {};
   const Row& row = rows_[index.row()];
   if (role == Qt::TextAlignmentRole && index.column() == kTime) return int(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole) return row.means.isEmpty() ? row.what : row.means;
+  if (role == Qt::ToolTipRole)
+    return QStringLiteral("%1  %2").arg(clock_text(row.time_s), row.means.isEmpty() ? row.what : row.means);
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kTime:

@@ -13,7 +13,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kMargin = 0.15;  // margin on each side of the drawn range, as a share of the bar
+constexpr double kMargin = 0.05;  // margin on each side of the drawn range, as a share of it
 
 class BarWords {
   Q_DECLARE_TR_FUNCTIONS(metric_bars)
@@ -21,16 +21,20 @@ class BarWords {
 
 bool judged(const record::AttemptRow& a) { return record::is_sound(a) && (a.outcome == "passed" || a.outcome == "failed"); }
 
-MetricBar make_bar(const QString& id, const QString& unit, double value, const judge::Band& band, bool higher_is_better) {
+/// `values`: of all this person's attempts, the newest first. The bar spans them and the band, so that its length says how far the
+/// newest has come.
+MetricBar make_bar(const QString& id, const QString& unit, const std::vector<double>& values, const judge::Band& band,
+                   bool higher_is_better) {
+  const double value = values.front();
   MetricBar bar;
   bar.id = id;
   bar.name = metric_title(id);
   bar.value = quantity_text(value, unit);
   bar.band = BarWords::tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
-  const double first = std::min(value, band.p10), last = std::max(value, band.p90);
-  const double span = std::max(last - first, 1e-12), left = first - kMargin * span, width = (1 + 2 * kMargin) * span;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double first = std::min(*least, band.p10), span = std::max(*most, band.p90) - first;
   const auto place = [&](double v) {
-    const double at = (v - left) / width;
+    const double at = span > 0 ? ((v - first) / span + kMargin) / (1 + 2 * kMargin) : 0.5;
     return higher_is_better ? 1 - at : at;
   };
   bar.latest = place(value);
@@ -112,7 +116,10 @@ QVector<MetricBar> metric_bars(const QVector<record::AttemptRow>& attempts, cons
     QString unit = id == QLatin1String("time") ? QStringLiteral("s") : QStringLiteral("1");
     for (const record::MetricValue& m : newest->metrics)
       if (QString::fromStdString(m.id) == id) unit = metric_unit(id, QString::fromStdString(m.unit));
-    out += make_bar(id, unit, value, band, direction == SWAGE_BETTER_HIGHER);
+    std::vector<double> values;
+    for (auto a = newest; a != attempts.end(); ++a)
+      if (const double v = counts(*a) ? metric_value(*a, id) : std::nan(""); std::isfinite(v)) values.push_back(v);
+    out += make_bar(id, unit, values, band, direction == SWAGE_BETTER_HIGHER);
   }
   return out;
 }

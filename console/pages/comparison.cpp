@@ -29,10 +29,10 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  auto* head = new QHBoxLayout;
   title_ = new ElidedLabel(this);
   title_->setObjectName(QStringLiteral("other_title"));
-  head->addWidget(title_, 1);
+  column->addWidget(title_);  // on a line of its own: beside the controls only a few letters of a name fit
+  auto* head = new QHBoxLayout;
   auto* label = make_muted(tr("Align"), this);
   label->setWordWrap(false);
   head->addWidget(label);
@@ -41,7 +41,7 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   align_->setAccessibleName(tr("Align the attempts at"));
   align_->setToolTip(tr("What lies at the same place of the timeline in both attempts"));
   label->setBuddy(align_);
-  head->addWidget(align_);
+  head->addWidget(align_, 1);
   ghost_ = new QCheckBox(tr("Ghost"), this);
   ghost_->setObjectName(QStringLiteral("ghost"));
   ghost_->setChecked(true);

@@ -20,8 +20,10 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 enum LimitColumn { kMetric, kLeast, kMost, kGate, kSource };
 
-QString shown(double value, const QString& unit) {
-  return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', 4) : QString();
+// A number that an instructor typed is shown as typed; one that was computed, with three digits.
+QString shown(double value, const judge::Limit& limit, const QString& unit) {
+  const int digits = limit.source == "instructor" ? 6 : 3;
+  return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', digits) : QString();
 }
 
 // "Time" alone would be read as a value in seconds
@@ -160,16 +162,20 @@ void CoursesPage::show_step() {
   simulate_timer_.start();
 }
 
-void CoursesPage::show_limits() {
+// with the limit whose number is being typed as the last row
+void CoursesPage::fill_limits() {
   const record::CourseStep* s = step();
-  const int row = limits_->currentRow(), column = limits_->currentColumn();
-  limits_->setRowCount(static_cast<int>(s->limits.size()));
+  if (!s) return;
+  const bool before = std::exchange(filling_, true);
+  std::vector<judge::Limit> all = s->limits;
+  if (wanted_) all.push_back(*wanted_);
+  limits_->setRowCount(static_cast<int>(all.size()));
   for (int i = 0; i < limits_->rowCount(); ++i) {
-    const judge::Limit& l = s->limits[static_cast<size_t>(i)];
+    const judge::Limit& l = all[static_cast<size_t>(i)];
     const QString id = QString::fromStdString(l.metric), unit = metric_unit(id, QString::fromStdString(l.unit));
     const QString suffix = display_unit(unit);
-    const QString cells[] = {suffix.isEmpty() ? limit_title(id) : tr("%1, %2").arg(limit_title(id), suffix), shown(l.least, unit),
-                             shown(l.most, unit), QString(), QString::fromStdString(l.source)};
+    const QString cells[] = {suffix.isEmpty() ? limit_title(id) : tr("%1, %2").arg(limit_title(id), suffix), shown(l.least, l, unit),
+                             shown(l.most, l, unit), QString(), QString::fromStdString(l.source)};
     for (int c = 0; c < limits_->columnCount(); ++c) {
       auto* item = new QTableWidgetItem(cells[c]);
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
@@ -178,6 +184,14 @@ void CoursesPage::show_limits() {
       limits_->setItem(i, c, item);
     }
   }
+  filling_ = before;
+}
+
+void CoursesPage::show_limits() {
+  const record::CourseStep* s = step();
+  const int row = limits_->currentRow(), column = limits_->currentColumn();
+  wanted_.reset();
+  fill_limits();
   if (row >= 0) limits_->setCurrentCell(std::min(row, limits_->rowCount() - 1), column);
   metric_->clear();
   for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id))) {
@@ -199,8 +213,7 @@ void CoursesPage::add_lesson() {
   const int row = lessons_->row_of(lesson_->currentData().toString()), at = steps_->currentRow() + 1;
   if (row < 0) return;
   if (!lessons_->at(row).problem.isEmpty()) {
-    problem_->setText(tr("▲ %1").arg(lessons_->at(row).problem));
-    return problem_->show();
+    return show_problem(lessons_->at(row).problem);
   }
   record::CourseStep fresh;
   fresh.lesson_id = lessons_->at(row).id.toStdString();
@@ -235,27 +248,42 @@ void CoursesPage::add_limit() {
   }
   const bool known = suggest_limit(fresh, experts(), better);
   const LimitColumn column = better == SWAGE_BETTER_HIGHER ? kLeast : kMost;
-  if (!known) (column == kLeast ? fresh.least : fresh.most) = 0;  // a limit must have a number; the field is opened for editing at once
-  edit_step(tr("Add a limit"), [&](record::CourseStep& c) { c.limits.push_back(fresh); });
+  if (known) {
+    edit_step(tr("Add a limit"), [&](record::CourseStep& c) { c.limits.push_back(fresh); });
+    return limits_->setCurrentCell(limits_->rowCount() - 1, column);
+  }
+  wanted_ = fresh;
+  fill_limits();
   limits_->setCurrentCell(limits_->rowCount() - 1, column);
-  if (!known) limits_->editItem(limits_->currentItem());
+  limits_->editItem(limits_->currentItem());
+}
+
+// A limit whose number was not typed is dropped: none was written.
+void CoursesPage::drop_wanted() {
+  if (!wanted_) return;
+  wanted_.reset();
+  fill_limits();
 }
 
 void CoursesPage::limit_edited(int row, int column) {
   if (filling_ || !step()) return;
   const QString text = limits_->item(row, column)->text().trimmed();
-  const judge::Limit& now = step()->limits[static_cast<size_t>(row)];
+  const bool is_new = static_cast<size_t>(row) == step()->limits.size();
+  if (is_new && (!wanted_ || text.isEmpty())) return;
+  const judge::Limit now = is_new ? *wanted_ : step()->limits[static_cast<size_t>(row)];
   const QString unit = metric_unit(QString::fromStdString(now.metric), QString::fromStdString(now.unit));
   bool ok = false;
   double value = QLocale().toDouble(text, &ok);
   if (!ok) value = text.toDouble(&ok);
   if (column != kGate && !text.isEmpty() && !ok) {
-    problem_->setText(tr("▲ \"%1\" is no number; the limit stays as it was.").arg(text));
-    problem_->show();
+    show_problem(is_new ? tr("\"%1\" is no number; no limit is added.").arg(text)
+                        : tr("\"%1\" is no number; the limit stays as it was.").arg(text));
     return show_step();
   }
   const bool gate = limits_->item(row, kGate)->checkState() == Qt::Checked;
-  edit_step(tr("Limit"), [&](record::CourseStep& s) {
+  wanted_.reset();
+  edit_step(is_new ? tr("Add a limit") : tr("Limit"), [&](record::CourseStep& s) {
+    if (is_new) s.limits.push_back(now);
     judge::Limit& l = s.limits[static_cast<size_t>(row)];
     const double si = value / display_factor(unit);
     if (column == kLeast) l.least = text.isEmpty() ? -kInfinite : si;
@@ -270,6 +298,10 @@ void CoursesPage::suggest() {
   if (!s) return;
   const auto metrics = metrics_(QString::fromStdString(s->lesson_id));
   const auto them = experts();
+  if (them.empty() || s->limits.empty())
+    return show_problem(s->limits.empty() ? tr("There is no limit yet to take from the experts: add one first.")
+                                          : tr("No attempts of experts at this lesson: no limit is changed. Experts are the people of "
+                                               "the group \"Experts\"."));
   edit_step(tr("Limits from experts"), [&](record::CourseStep& c) {
     for (judge::Limit& l : c.limits)
       for (const LessonMetric& m : metrics)

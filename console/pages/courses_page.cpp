@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/courses_page.hpp"
 
+#include <QAbstractItemDelegate>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSplitter>
@@ -12,6 +13,7 @@ namespace swage::console {
 namespace {
 
 constexpr int kSimulate_ms = 200;  // after the last change, as each simulation takes a tenth of a second
+constexpr int kNarrow_px = 1150;
 constexpr int kLeastRule_px = 300;  // of the rule, beside the lists on a narrow screen
 
 /// Fields of a course; successive edits of one are undone together.
@@ -65,6 +67,11 @@ CoursesPage::CoursesPage(SchoolDesk* desk, StoreLink* link, LessonsModel* lesson
 void CoursesPage::show_problem(const QString& why) {
   problem_->setText(tr("▲ %1").arg(why));
   problem_->show();
+}
+
+// on a narrow screen what the rule says stands below its numbers, as beside them it would be a strip of a few letters
+void CoursesPage::resizeEvent(QResizeEvent*) {
+  rule_row_->setDirection(width() < kNarrow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void CoursesPage::hideEvent(QHideEvent*) { problem_->hide(); }
@@ -211,7 +218,7 @@ QDoubleSpinBox* CoursesPage::add_rate(QFormLayout* form, const QString& label, c
 QWidget* CoursesPage::make_rule() {
   using Rule = judge::PassRule;
   Card card = make_card(tr("Pass rule"), this);
-  auto* row = new QHBoxLayout;
+  auto* row = rule_row_ = new QBoxLayout(QBoxLayout::LeftToRight);
   auto* form = rule_form_ = new QFormLayout;
   kind_ = new QComboBox;
   kind_->setObjectName(QStringLiteral("rule_kind"));
@@ -267,6 +274,8 @@ QWidget* CoursesPage::make_limits() {
   limits_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   limits_->setToolTip(tr("F2 or a double click changes a value; empty asks for nothing"));
   connect(limits_, &QTableWidget::cellChanged, this, &CoursesPage::limit_edited);
+  // queued, as the table still uses the row while its editor closes
+  connect(limits_->itemDelegate(), &QAbstractItemDelegate::closeEditor, this, &CoursesPage::drop_wanted, Qt::QueuedConnection);
   card.body->addWidget(limits_, 1);
   together_ = make_muted({}, card.frame);
   together_->setObjectName(QStringLiteral("together"));
@@ -285,6 +294,7 @@ QWidget* CoursesPage::make_limits() {
   give_key(remove, QStringLiteral("Ctrl+Shift+M"));
   connect(remove, &QPushButton::clicked, this, [this] {
     const auto at = limits_->currentRow();
+    if (step() && static_cast<size_t>(std::max(at, 0)) >= step()->limits.size()) return drop_wanted();
     if (at >= 0) edit_step(tr("Remove a limit"), [&](record::CourseStep& s) { s.limits.erase(s.limits.begin() + at); });
   });
   row->addWidget(remove);

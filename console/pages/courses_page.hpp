@@ -3,6 +3,7 @@
 // The Courses page: lessons in order, and the pass rule of each. Every edit is written at once and can be undone.
 #pragma once
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -17,6 +18,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "console/link/school_desk.hpp"
 #include "console/link/store_link.hpp"
@@ -42,6 +44,7 @@ class CoursesPage : public QWidget {
  protected:
   /// Hides the problem, which is no longer news when the page is shown again.
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show_problem(const QString& why);
@@ -65,6 +68,8 @@ class CoursesPage : public QWidget {
   void show_course();
   void show_step();
   void show_limits();
+  void fill_limits();
+  void drop_wanted();
   void simulate();
   void add_lesson();
   void move_step(int by);
@@ -79,6 +84,7 @@ class CoursesPage : public QWidget {
   LessonMetrics metrics_;
   std::vector<record::Course> courses_;
   record::Course course_;  // the selected course
+  std::optional<judge::Limit> wanted_;  // a new limit until its number is typed; not written
   std::vector<record::AttemptRow> attempts_;  // of experts at the selected lesson
   std::string attempts_of_;
   QTimer simulate_timer_;
@@ -94,6 +100,7 @@ class CoursesPage : public QWidget {
   QVector<std::pair<QSpinBox*, uint32_t judge::PassRule::*>> counts_;
   QVector<std::pair<QDoubleSpinBox*, double judge::PassRule::*>> rates_;
   QFormLayout* rule_form_ = nullptr;
+  QBoxLayout* rule_row_ = nullptr;
 };
 
 }  // namespace swage::console

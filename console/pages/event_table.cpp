@@ -10,6 +10,7 @@
 namespace swage::console {
 namespace {
 
+constexpr int kTime_px = 60, kLeastWithTime_px = 180;  // beside the time the heading of the event needs 110
 constexpr int kLine_px = 22, kTwoLines_px = 36;
 constexpr double kSmall = 0.86;   // size of the meaning, of the usual size
 constexpr double kMuted = 0.72;   // opacity of the meaning's text
@@ -45,10 +46,22 @@ class TwoLines : public QStyledItemDelegate {
   }
 };
 
+/// Without room for both, the time is hidden and only told by the tooltip.
+class EventTable : public QTableView {
+ public:
+  using QTableView::QTableView;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    setColumnHidden(EventLog::kTime, width() < kLeastWithTime_px);
+    QTableView::resizeEvent(event);
+  }
+};
+
 }  // namespace
 
 QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
-  auto* table = new QTableView(parent);
+  auto* table = new EventTable(parent);
   table->setAccessibleName(QObject::tr("Events"));
   table->setProperty("card", true);
   table->setModel(events);
@@ -61,7 +74,7 @@ QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
   table->verticalHeader()->setMinimumSectionSize(kLine_px);
   table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setStretchLastSection(true);
-  table->horizontalHeader()->resizeSection(EventLog::kTime, 60);
+  table->horizontalHeader()->resizeSection(EventLog::kTime, kTime_px);
   table->horizontalHeader()->setHighlightSections(false);
   // the view learns of the row, and its height, only after this signal
   QObject::connect(events, &QAbstractItemModel::rowsInserted, table, &QTableView::scrollToBottom, Qt::QueuedConnection);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QLabel>
 #include <QWidget>
 
 #include "console/pages/now_panel.hpp"
@@ -18,6 +19,8 @@ class InstructorWindow : public QWidget {
   explicit InstructorWindow(QAbstractItemModel* events, QWidget* parent);
   NowPanel* now() { return now_; }
   CueLegend* legend() { return legend_; }
+  /// Who does what: "Ben Okoye · Insertion · Test".
+  void set_subject(const QString& words) { subject_->setText(words); }
 
  Q_SIGNALS:
   void closed();
@@ -28,6 +31,7 @@ class InstructorWindow : public QWidget {
  private:
   NowPanel* now_;
   CueLegend* legend_;
+  QLabel* subject_ = nullptr;
 };
 
 }  // namespace swage::console

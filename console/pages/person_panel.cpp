@@ -30,7 +30,12 @@ PersonPanel::PersonPanel(QWidget* parent)
   group_plot_ = new GroupPlot(tabs_);
   group_plot_->setToolTip(tr("Every judged attempt of the people chosen above (Ctrl or Shift and a click choose several)"));
   offer_picture(group_plot_, QStringLiteral("group"));
-  tabs_->addTab(group_plot_, tr("G&roup"));
+  auto* group = new QWidget(tabs_);
+  auto* rows = new QVBoxLayout(group);
+  rows->setContentsMargins(0, 6, 0, 0);
+  rows->addWidget(group_plot_, 1);
+  rows->addWidget(make_muted(tr("A row for each person chosen above: Ctrl or Shift and a click choose several, Ctrl+A all."), group));
+  tabs_->addTab(group, tr("G&roup"));
   connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::show_group);
   connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::choose_newest);
   column->addWidget(tabs_, 1);
@@ -103,6 +108,8 @@ void PersonPanel::show_bars() {
   if (!isVisible()) return;
   const std::string lesson = only_lesson();
   if (lesson.empty() || !experts_) return bars_->set_bars({}, tr("Choose a lesson to see its values beside the experts'."));
+  const bool any = std::any_of(attempts_->attempts().begin(), attempts_->attempts().end(), [](const auto& a) { return counts(a); });
+  if (!any) return bars_->set_bars({}, tr("No attempt that counts yet: there is nothing to see beside the experts' values."));
   bars_->set_bars(metric_bars(attempts_->attempts(), experts_,
                               [&](const QString& id) {
                                 return finder_ ? finder_(QString::fromStdString(lesson), id.toStdString()).facts.better
@@ -201,7 +208,7 @@ void PersonPanel::ask_lesson(MetricSeries& series) const {
 }
 
 void PersonPanel::show_group() {
-  if (!group_ || tabs_->currentWidget() != group_plot_ || !isVisible()) return;
+  if (!group_ || tabs_->currentWidget() != group_plot_->parentWidget() || !isVisible()) return;
   group_plot_->set_figure(group_figure(group_(lesson_->currentData().toString().toStdString()), metric_->currentData().toString()));
 }
 

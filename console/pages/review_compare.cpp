@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QVBoxLayout>
 
+#include "console/models/attempts_model.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/review_page.hpp"
@@ -13,6 +14,16 @@
 
 namespace swage::console {
 namespace {
+
+/// "Ben Okoye, 28 Nov 2026 13:49: Passed, 94 points, 00:12", and that a recorded hand held the instrument.
+QString entry_text(const record::AttemptRow& a) {
+  QStringList words = {ReviewPage::tr("%1, %2: %3").arg(person_text(QString::fromStdString(a.person_name)), when_text(QString::fromStdString(a.started_utc)),
+                                                       verdict_text(QString::fromStdString(a.is_void ? "void" : a.outcome)))};
+  if (has_score(a)) words += ReviewPage::tr("%1 points").arg(QString::number(a.score, 'f', 0));
+  words += clock_text(a.simulated_s);
+  if (is_hand(a)) words += ReviewPage::tr("recorded hand");
+  return words.join(QStringLiteral(", "));
+}
 
 /// Attempts of one lesson, with a search, to choose one for comparison.
 class AttemptChooser : public QDialog {
@@ -30,9 +41,7 @@ class AttemptChooser : public QDialog {
     for (const record::AttemptRow& a : attempts) {
       if (a.id == but) continue;
       auto* entry = new QListWidgetItem(
-          ReviewPage::tr("%1, %2: %3").arg(person_text(QString::fromStdString(a.person_name)), when_text(QString::fromStdString(a.started_utc)),
-                                           verdict_text(QString::fromStdString(a.is_void ? "void" : a.outcome))),
-          list_);
+          entry_text(a), list_);
       entry->setData(Qt::UserRole, QString::fromStdString(a.id));
     }
     list_->setCurrentRow(0);

@@ -10,6 +10,7 @@
 #include "console/models/lesson_files.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/models/said.hpp"
+#include "console/models/words.hpp"
 #include "console/pages/event_table.hpp"
 #include "console/widgets/parts.hpp"
 #include "record/store.hpp"
@@ -110,6 +111,8 @@ QWidget* RunPage::make_right() {
 void RunPage::connect_setup() {
   connect(setup_, &SetupPanel::lesson_changed, &preview_timer_, qOverload<>(&QTimer::start));
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
+  for (const auto changed : {&SetupPanel::mode_changed, &SetupPanel::lesson_changed, &SetupPanel::person_chosen})
+    connect(setup_, changed, this, &RunPage::tell_subject);
   // a verdict of another lesson is gone at once, the new scene comes when the list rests
   connect(setup_, &SetupPanel::lesson_changed, this, [this] {
     if (!control_->running() && shown_lesson_ != setup_->lesson()) forget_attempt();
@@ -347,7 +350,15 @@ void RunPage::show_instructor(bool on) {
     presenter_->add_panels(instructor_->now(), instructor_->legend(), AttemptPresenter::For::kInstructor);
   }
   if (instructor_) instructor_->setVisible(on);
+  tell_subject();
   bar_->set_instructor(on);
+}
+
+// who does which lesson, and in which mode, in the instructor's window
+void RunPage::tell_subject() {
+  if (!instructor_) return;
+  const QString title = lessons_->index(lessons_->row_of(setup_->lesson())).data().toString();
+  instructor_->set_subject(QStringList{person_text(setup_->person()), title, mode_text(setup_->mode())}.join(QStringLiteral("  ·  ")));
 }
 
 }  // namespace swage::console

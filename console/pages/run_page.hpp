@@ -130,6 +130,7 @@ class RunPage : public QWidget {
   void update_cues();
   void show_finished();
   void forget_attempt();
+  void tell_subject();
 
   bool draws_seed_ = false;
   PersonAdder add_person_;

@@ -44,6 +44,10 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
   add_section(tr("Instrument"), make_instrument());
   add_section(tr("Jaw sensors"), make_sensors());
   add_section(tr("Language"), make_language());
+  place_ = make_muted({}, this);
+  place_->setObjectName(QStringLiteral("setup_place"));
+  place_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  add_section(tr("This station"), place_);
 }
 
 void SetupPage::add_section(const QString& heading, QWidget* section) {
@@ -181,6 +185,11 @@ QWidget* SetupPage::make_sensors() {
 
 void SetupPage::show_calibrations(const QStringList& lines) {
   calibrations_->setText(lines.isEmpty() ? tr("No sensor is calibrated on this computer.") : lines.join(QLatin1Char('\n')));
+}
+
+void SetupPage::show_place(const QString& station, const QString& store) {
+  place_->setText(tr("Station: %1").arg(station) + QLatin1Char('\n') +
+                  (store.isEmpty() ? tr("No store: nothing is kept.") : tr("Store: %1").arg(store)));
 }
 
 void SetupPage::show_themes(const QString& ui, const QString& cues) {

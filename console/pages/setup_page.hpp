@@ -21,6 +21,8 @@ class SetupPage : public QWidget {
   explicit SetupPage(QWidget* parent = nullptr);
   /// Adds a card with a heading around the section. Cards are laid out in two columns, in the order of the calls.
   void add_section(const QString& heading, QWidget* section);
+  /// Names of the station and of its store: a file or a server's address; "" for none.
+  void show_place(const QString& station, const QString& store);
   void show_themes(const QString& ui, const QString& cues);
   /// The available languages, their own names, and the chosen one; "" for the system's.
   void show_languages(const QStringList& codes, const QStringList& names, const QString& chosen);
@@ -49,7 +51,7 @@ class SetupPage : public QWidget {
 
   QVBoxLayout* columns_[2];
   int sections_ = 0;
-  QLabel *calibrations_ = nullptr, *whose_ = nullptr;
+  QLabel *calibrations_ = nullptr, *whose_ = nullptr, *place_ = nullptr;
   QComboBox *pose_ = nullptr, *jaws_ = nullptr, *clutch_ = nullptr, *pedal_ = nullptr;
   QComboBox *theme_ = nullptr, *cues_ = nullptr, *language_ = nullptr;
 };

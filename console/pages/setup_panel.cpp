@@ -17,6 +17,7 @@ namespace swage::console {
 namespace {
 
 const char* const kModes[] = {"practice", "test", "demo"};
+constexpr int kIsHand = Qt::UserRole + 1;  // of an instrument in the list: a recorded hand
 constexpr char kMouse[] = "mouse", kExpert[] = "expert";  // what lessons call their devices ("as")
 
 }  // namespace
@@ -156,6 +157,7 @@ QWidget* SetupPanel::make_mode() {
     // a choice of the lesson's own device is kept for the next lesson
     const QString chosen = device_->currentData().toString();
     wanted_device_ = chosen == lesson_device() ? QString() : chosen;
+    update_modes();
   });
   card.body->addWidget(device_);
   return card.frame;
@@ -238,14 +240,17 @@ void SetupPanel::fill_devices() {
   device_->clear();
   for (const QString& hand : hands) {
     const bool plugin = hand.contains(QLatin1Char('.'));
+    const bool recorded = hand != own && hand != mouse && !plugin && hand != first;
     const QString name = hand == own                ? own_instrument_
                          : hand == mouse            ? tr("Mouse and keyboard")
                          : plugin                   ? hand
-                         : hand == first            ? said(hand)
-                                                    : tr("Recorded hand: %1").arg(said(hand));
+                         : recorded                 ? tr("Recorded hand: %1").arg(said(hand))
+                                                    : said(hand);
     device_->addItem(name, hand);
+    device_->setItemData(device_->count() - 1, recorded, kIsHand);
   }
   device_->setCurrentIndex(device_->findData(wanted));
+  update_modes();
 }
 
 void SetupPanel::set_own_instrument(const QString& title) {
@@ -285,8 +290,10 @@ void SetupPanel::set_show(bool show) {
 
 void SetupPanel::update_modes() {
   for (QAbstractButton* b : modes_->buttons()) b->setEnabled(!running_ && !show_);
-  explain_->setText(show_ ? tr("A demonstration: nothing is judged or recorded.")
-                          : modes_->checkedButton()->toolTip());
+  const bool test_by_hand = modes_->checkedId() == 1 && device_ && device_->currentData(kIsHand).toBool();
+  explain_->setText(show_          ? tr("A demonstration: nothing is judged or recorded.")
+                    : test_by_hand ? tr("Cues and readings are hidden, and limits end the attempt. A recorded hand's attempt counts for nobody.")
+                                   : modes_->checkedButton()->toolTip());
   device_->setEnabled(!running_ && modes_->checkedId() != 2);
 }
 

@@ -16,11 +16,35 @@
 namespace swage::console {
 namespace {
 
+constexpr int kFewBars = 3;          // with fewer on a page the bars begin on the next one
+constexpr double kBarsHead_px = 30;  // above the bars: which side is better
+constexpr double kLeastLast = 0.16;  // of the page, for the reason of the verdict
 constexpr double kTableHead_px = 90;  // height of a heading and some lines below it
 
 class PersonWords {
   Q_DECLARE_TR_FUNCTIONS(report)
 };
+
+/// Each column as wide as its longest text, in either language. The last has what is left, and at least kLeastLast of the page: then
+/// the title of the lesson, or the widest column without one, gives way and is elided.
+QVector<double> column_shares(const Sheet& sheet, const AttemptsModel& model, const QVector<int>& columns, const QStringList& heads) {
+  QVector<double> shares;
+  double sum = 0;
+  for (int c = 0; c + 1 < columns.size(); ++c) {
+    double share = sheet.share_of(heads[c], true);
+    for (int i = 0; i < model.rowCount(); ++i) share = std::max(share, sheet.share_of(model.index(i, columns[c]).data().toString(), false));
+    shares += share;
+    sum += share;
+  }
+  if (const double over = sum - (1 - kLeastLast); over > 0) {
+    const auto lesson = columns.indexOf(AttemptsModel::kLesson);
+    const auto widest = lesson >= 0 ? shares.begin() + lesson : std::max_element(shares.begin(), shares.end());
+    const double less = std::clamp(over, 0.0, std::max(0.0, *widest - kLeastLast / 2));
+    *widest -= less;
+    sum -= less;
+  }
+  return shares << std::max(0.0, 1 - sum);
+}
 
 void add_attempts(Sheet& sheet, const PersonReport& r) {
   AttemptsModel model;
@@ -29,13 +53,10 @@ void add_attempts(Sheet& sheet, const PersonReport& r) {
                                    [&](const record::AttemptRow& a) { return a.lesson_id != r.attempts.front().lesson_id; });
   QVector<int> columns = {AttemptsModel::kWhen, AttemptsModel::kMode, AttemptsModel::kVerdict, AttemptsModel::kScore,
                           AttemptsModel::kTime, AttemptsModel::kReason};
-  QVector<double> shares = {0.19, 0.22, 0.17, 0.07, 0.07, 0.28};
-  if (several) {
-    columns.insert(1, AttemptsModel::kLesson);
-    shares = {0.17, 0.24, 0.16, 0.14, 0.06, 0.06, 0.17};
-  }
+  if (several) columns.insert(1, AttemptsModel::kLesson);
   QStringList heads;
   for (const int c : columns) heads += model.headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+  const QVector<double> shares = column_shares(sheet, model, columns, heads);
   sheet.row(heads, shares, true);
   for (int i = 0; i < model.rowCount(); ++i) {
     QStringList cells;
@@ -56,15 +77,17 @@ QString passed_words(const PersonReport& r) {
 
 void add_bars(Sheet& sheet, const PersonReport& r, const UiTheme& theme) {
   if (r.bars.isEmpty()) return;
-  constexpr int kBars = 16;  // bars per page
-  for (int from = 0; from < r.bars.size(); from += kBars) {
+  sheet.gap(8);
+  sheet.keep(kTableHead_px + kFewBars * BandBars::row_px());
+  sheet.text(PersonWords::tr("Latest attempt, experts' band"), 11, true);
+  for (int from = 0; from < r.bars.size();) {
+    sheet.keep(kBarsHead_px + kFewBars * BandBars::row_px());
+    const int n = std::max(1, static_cast<int>((sheet.room() - kBarsHead_px) / BandBars::row_px()));  // that fit on this page
     BandBars bars;
     bars.set_theme(theme);
-    bars.set_bars(r.bars.mid(from, kBars), {});
-    sheet.gap(8);
-    sheet.keep(bars.sizeHint().height() + 30.0);
-    if (from == 0) sheet.text(PersonWords::tr("Latest attempt, experts' band"), 11, true);
+    bars.set_bars(r.bars.mid(from, n), {});
     sheet.widget(bars, bars.sizeHint().height());
+    from += n;
   }
 }
 

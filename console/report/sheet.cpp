@@ -6,12 +6,15 @@
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QSaveFile>
+#include <cmath>
 
 namespace swage::console {
 namespace {
 
 constexpr int kDpi = 96;  // resolution at which widgets draw as on a screen
 constexpr double kMargin_mm = 18, kLine_px = 20;
+constexpr double kRow_pt = 9;                      // size of a table's text
+constexpr double kGap_px = 6, kBetween_px = 14;  // least and usual space behind a cell
 constexpr double kFooter_px = 26;  // space below every page's text: a line and text of 8 points
 const QColor kFooterGrey(80, 80, 80);
 
@@ -96,20 +99,27 @@ void Sheet::widget(QWidget& w, double height) {
 
 void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bool bold) {
   QFont font = p_.font();
-  font.setPointSizeF(9);
+  font.setPointSizeF(kRow_pt);
   font.setBold(bold);
   p_.setFont(font);
   p_.setPen(Qt::black);
   double x = page_.left();
   for (int i = 0; i < cells.size(); ++i) {
     const double w = shares[i] * page_.width();
-    p_.drawText(QRectF(x, y_, w - 6, kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
-                p_.fontMetrics().elidedText(cells[i], Qt::ElideRight, static_cast<int>(w - 6)));
+    p_.drawText(QRectF(x, y_, w - kGap_px, kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
+                p_.fontMetrics().elidedText(cells[i], Qt::ElideRight, static_cast<int>(w - kGap_px)));
     x += w;
   }
   y_ += kLine_px;
   p_.setPen(QPen(QColor(200, 200, 200), 0.5));
   p_.drawLine(QPointF(page_.left(), y_), QPointF(page_.right(), y_));
+}
+
+double Sheet::share_of(const QString& words, bool bold) const {
+  QFont font = p_.font();
+  font.setPointSizeF(kRow_pt);
+  font.setBold(bold);
+  return (std::ceil(QFontMetricsF(font, &device_).horizontalAdvance(words)) + kBetween_px) / page_.width();
 }
 
 void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold) {

@@ -24,6 +24,9 @@ class Sheet {
   void row(const QStringList& cells, const QVector<double>& shares, bool bold);
   /// Begins a new page unless `px` are free on this one: a heading stays with the content below it.
   void keep(double px);
+  double room() const { return page_.bottom() - y_; }  // px, free on this page
+  /// Share of the width that a table's cell with these words takes, with the space behind it.
+  double share_of(const QString& words, bool bold) const;
   /// Draws the footer of the last page.
   void end() { footer(); }
   int page() const { return number_; }

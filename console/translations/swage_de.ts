@@ -704,6 +704,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>The hardest alone is %1: %2.</source>
         <translation>Für sich allein ist %1 am schwersten: %2.</translation>
     </message>
+    <message>
+        <source>assumed: %1 attempts on every day</source>
+        <translation>angenommen: %1 Versuche an jedem Tag</translation>
+    </message>
+    <message>
+        <source>; the rule asks for a later day, so nobody passes before attempt %1</source>
+        <translation>; die Regel verlangt einen späteren Tag, daher besteht niemand vor Versuch %1</translation>
+    </message>
 </context>
 <context>
     <name>lesson_facts</name>
@@ -1021,6 +1029,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>← better</source>
         <translation>← besser</translation>
+    </message>
+    <message>
+        <source>Green, and in brackets: the middle 80 % of the experts. Ring: the latest attempt, filled within the band or better. A bar spans the experts&apos; band and all of this person&apos;s attempts.</source>
+        <translation>Grün und in Klammern: die mittleren 80 % der Experten. Ring: der letzte Versuch, gefüllt im Band oder besser. Ein Balken umfasst das Band der Experten und alle Versuche dieser Person.</translation>
+    </message>
+    <message>
+        <source>bar: all own attempts</source>
+        <translation>Balken: alle eigenen Versuche</translation>
     </message>
 </context>
 <context>
@@ -1379,10 +1395,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Grenze hinzufügen</translation>
     </message>
     <message>
-        <source>▲ &quot;%1&quot; is no number; the limit stays as it was.</source>
-        <translation>▲ „%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Grenze</translation>
     </message>
@@ -1629,6 +1641,22 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>The metrics of this lesson are not known here</source>
         <translation>Die Kennzahlen dieser Lektion sind hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number; no limit is added.</source>
+        <translation>„%1“ ist keine Zahl; es wird keine Grenze hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number; the limit stays as it was.</source>
+        <translation>„%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
+    </message>
+    <message>
+        <source>There is no limit yet to take from the experts: add one first.</source>
+        <translation>Es gibt noch keine Grenze, die von den Experten kommen könnte: zuerst eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>No attempts of experts at this lesson: no limit is changed. Experts are the people of the group &quot;Experts&quot;.</source>
+        <translation>Keine Versuche von Experten an dieser Lektion: keine Grenze wird geändert. Experten sind die Personen der Gruppe „Experten“.</translation>
     </message>
 </context>
 <context>
@@ -3182,6 +3210,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>▲ Somebody is called that already. Add what tells the two apart.</source>
         <translation>▲ So heißt schon jemand. Fügen Sie hinzu, was die beiden unterscheidet.</translation>
     </message>
+    <message>
+        <source>▲ This code is another person&apos;s already. Without one a code is made.</source>
+        <translation>▲ Dieser Code gehört schon einer anderen Person. Ohne Angabe wird einer erzeugt.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::PersonPanel</name>
@@ -3288,6 +3320,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Counted is what a person finished. Recorded hands, void attempts and those that were stopped count for nobody.</source>
         <translation>Es zählt, was eine Person zu Ende gebracht hat. Aufgezeichnete Hände, ungültige und abgebrochene Versuche zählen für niemanden.</translation>
+    </message>
+    <message>
+        <source>A row for each person chosen above: Ctrl or Shift and a click choose several, Ctrl+A all.</source>
+        <translation>Eine Zeile für jede oben gewählte Person: Strg oder Umschalt und ein Klick wählen mehrere, Strg+A alle.</translation>
+    </message>
+    <message>
+        <source>No attempt that counts yet: there is nothing to see beside the experts&apos; values.</source>
+        <translation>Noch kein Versuch, der zählt: es gibt nichts, was neben den Werten der Experten zu sehen wäre.</translation>
     </message>
 </context>
 <context>
@@ -3766,6 +3806,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>▲ The rating was not kept: %1</source>
         <translation>▲ Das Urteil wurde nicht aufbewahrt: %1</translation>
     </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>recorded hand</source>
+        <translation>aufgezeichnete Hand</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::RosterDialog</name>
@@ -4135,6 +4183,22 @@ Bea L., Frühjahr, links</translation>
         <source>From the next start on.</source>
         <translation>Ab dem nächsten Start.</translation>
     </message>
+    <message>
+        <source>This station</source>
+        <translation>Dieser Platz</translation>
+    </message>
+    <message>
+        <source>Station: %1</source>
+        <translation>Platz: %1</translation>
+    </message>
+    <message>
+        <source>No store: nothing is kept.</source>
+        <translation>Kein Speicher: nichts wird aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Store: %1</source>
+        <translation>Speicher: %1</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SetupPanel</name>
@@ -4257,6 +4321,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Cues are shown. Limits of force and time are told and end nothing; a recorded hand is judged as in a test.</source>
         <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
+    </message>
+    <message>
+        <source>Cues and readings are hidden, and limits end the attempt. A recorded hand&apos;s attempt counts for nobody.</source>
+        <translation>Hinweise und Messwerte sind verborgen, und Grenzen beenden den Versuch. Der Versuch einer aufgezeichneten Hand zählt für niemanden.</translation>
     </message>
 </context>
 <context>
@@ -5219,7 +5287,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Position right, without tips</source>
-        <translation>Ort gut, ohne Spitzen</translation>
+        <translation>Ort richtig, ohne Spitzen</translation>
     </message>
     <message>
         <source>Position right, tilted</source>

@@ -17,6 +17,7 @@ class BandBars : public QWidget {
   void set_bars(const QVector<MetricBar>& bars, const QString& empty);
   const QVector<MetricBar>& bars() const { return bars_; }
   QSize sizeHint() const override;
+  static double row_px();  // height of one bar
   QSize minimumSizeHint() const override { return {220, sizeHint().height()}; }
   /// Draws into any rectangle, of the screen or of a printed page.
   void paint(QPainter& p, const QRectF& area, const UiTheme& theme) const;

@@ -12,6 +12,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kMark_px = 5;
+constexpr double kBestScore = 100, kHighScores = 60, kBelow = 5;  // points: above 60 the axis begins 5 below the lowest
 
 void paint_mark(QPainter& p, const QPointF& at, bool test, bool filled, const QColor& colour,
                 const QColor& back) {
@@ -56,6 +57,17 @@ void MetricChart::set_series(const MetricSeries& series) {
   }
   if (series_.experts) low = std::min(low, series_.experts->first), high = std::max(high, series_.experts->second);
   if (high <= low) high = low + 1;
+  // scores near the top would be squeezed into a line; points on a curve need no zero
+  const auto least = std::min_element(series_.points.begin(), series_.points.end(),
+                                      [](const MetricPoint& a, const MetricPoint& b) { return a.value < b.value; });
+  if (series_.id == QLatin1String("score") && least != series_.points.end()) {
+    double from = least->value;
+    if (series_.experts) from = std::min(from, series_.experts->first);
+    for (const std::optional<double>& target : {series_.target.low, series_.target.high})
+      if (target) from = std::min(from, *target);
+    high = std::max(high, kBestScore);
+    if (from > kHighScores) low = from - kBelow;
+  }
   step_ = nice_step(low, high, 4);
   low_ = std::floor(low / step_) * step_;
   high_ = std::ceil(high / step_) * step_;
@@ -142,10 +154,20 @@ void MetricChart::paint_experts(QPainter& p) const {
   p.setPen(QPen(colour, 1));
   p.drawLine(band.topLeft(), band.topRight());
   p.drawLine(band.bottomLeft(), band.bottomRight());
+}
+
+// after the points, on the card's colour: above the band, or below it where the top line of the chart would cross the label
+void MetricChart::paint_who(QPainter& p) const {
+  if (!series_.experts) return;
+  const QRectF a = area();
+  const auto y = [&](double v) { return a.bottom() - a.height() * (v - low_) / (high_ - low_); };
+  const double top = y(series_.experts->second), bottom = y(series_.experts->first);
+  const QRectF box(a.left() + 4, top - 17 >= a.top() ? top - 17 : bottom + 1, p.fontMetrics().horizontalAdvance(series_.who) + 4, 16);
+  QColor back = theme_["card"];
+  back.setAlpha(220);
+  p.fillRect(box, back);
   p.setPen(theme_["plot_2"]);
-  // above the band, or below it where the top line of the chart would cross the label
-  const double y_text = band.top() - 17 >= a.top() ? band.top() - 17 : band.bottom() + 1;
-  p.drawText(QRectF(a.left() + 4, y_text, a.width(), 16), Qt::AlignLeft | Qt::AlignVCenter, series_.who);
+  p.drawText(box, Qt::AlignCenter, series_.who);
 }
 
 void MetricChart::paint_curve(QPainter& p) const {
@@ -189,6 +211,8 @@ void MetricChart::paint_key(QPainter& p) const {
   } key[] = {{tr("not passed"), false, false}, {tr("passed"), false, true}, {tr("Test"), true, true}};
   x = width() - 12;
   for (const auto& k : key) {
+    const auto shows = [&](const MetricPoint& point) { return k.test ? point.test : point.met == k.filled; };
+    if (std::none_of(series_.points.begin(), series_.points.end(), shows)) continue;
     x -= metrics.horizontalAdvance(k.text);
     p.setPen(theme_["muted"]);
     p.drawText(QRectF(x, 0, 120, 22), Qt::AlignLeft | Qt::AlignVCenter, k.text);
@@ -211,6 +235,7 @@ void MetricChart::paintEvent(QPaintEvent*) {
   paint_target(p);
   paint_points(p);
   paint_curve(p);
+  paint_who(p);
   paint_key(p);
 }
 

@@ -32,6 +32,7 @@ class MetricChart : public QWidget {
   void paint_axes(QPainter& p) const;
   void paint_target(QPainter& p) const;
   void paint_experts(QPainter& p) const;
+  void paint_who(QPainter& p) const;
   void paint_curve(QPainter& p) const;
   void paint_points(QPainter& p) const;
   void paint_key(QPainter& p) const;

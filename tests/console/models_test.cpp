@@ -11,6 +11,7 @@
 #include "console/models/attempts_model.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
+#include "console/models/metric_bars.hpp"
 #include "console/models/reading.hpp"
 #include "console/models/words.hpp"
 #include "fake_session.hpp"
@@ -279,6 +280,25 @@ TEST(Words, AxesEndAtNumbersThatAreEasilyRead) {
   EXPECT_DOUBLE_EQ(nice_end(1.26), 1.5);
   EXPECT_DOUBLE_EQ(nice_end(0.9), 1);
   EXPECT_DOUBLE_EQ(nice_end(0), 0);
+}
+
+// The way from the worst attempt to the band is the bar's length, so that the mark moves when values improve.
+TEST(MetricBars, AMarkLiesAsFarFromTheBandAsItsValue) {
+  QVector<record::AttemptRow> own;
+  for (const double time_s : {30.0, 50.0, 110.0}) {
+    own += test::sample_attempts()[12];
+    own.last().metrics = {{"bars.time", "s", time_s}};
+  }
+  const ExpertFinder experts = [](const std::string&, const QString&) { return Experts{{{10, 10, 10}}, QStringLiteral("1 expert")}; };
+  const auto lower = [](const QString& id) { return id.startsWith("bars.") ? SWAGE_BETTER_LOWER : SWAGE_BETTER_NONE; };
+  const auto bars = metric_bars(own, experts, lower);
+  ASSERT_EQ(bars.size(), 1);
+  EXPECT_NEAR((bars[0].latest - bars[0].high) * 1.1, 0.2, 1e-9) << "20 s of 100 s, with a margin of 5 % on each side";
+  own.removeFirst();
+  EXPECT_NEAR((metric_bars(own, experts, lower)[0].latest - bars[0].high) * 1.1, 0.4, 1e-9);
+  own[0].metrics[0].value = own[1].metrics[0].value = 10;
+  EXPECT_TRUE(metric_bars(own, experts, lower)[0].inside);
+  EXPECT_DOUBLE_EQ(metric_bars(own, experts, lower)[0].latest, 0.5);
 }
 
 }  // namespace

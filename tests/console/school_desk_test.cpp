@@ -151,7 +151,9 @@ TEST(CourseWords, TheRuleAndItsOddsAreThoseOfTheReference) {
   EXPECT_TRUE(rule_words(rule).contains("a later day"));
   // ux-assessment 12.1: 41, 73 and 97 of 100 for the two-day rule
   const QStringList odds = rule_odds(rule);
-  ASSERT_EQ(odds.size(), 3);
+  ASSERT_EQ(odds.size(), 4);
+  EXPECT_TRUE(odds[3].contains(QStringLiteral("10 attempts on every day"))) << odds[3].toStdString();
+  EXPECT_TRUE(odds[3].contains(QStringLiteral("before attempt 12"))) << odds[3].toStdString();
   const double expected[] = {41, 73, 97};
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(odds[i].section(QStringLiteral("passes in "), 1).section(QLatin1Char(' '), 0, 0).toDouble(), expected[i], 2.5) << odds[i].toStdString();
@@ -182,6 +184,11 @@ TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
   ASSERT_TRUE(suggest_limit(x, experts, SWAGE_BETTER_LOWER));
   EXPECT_NEAR(x.most, 8.1, 1e-9);
   EXPECT_NE(x.source.find("fewer than 5 people"), std::string::npos) << x.source;
+  judge::Limit fine = x;
+  std::vector<record::AttemptRow> odd = all;
+  for (record::AttemptRow& a : odd) a.metrics[0].value = 0.91173;
+  ASSERT_TRUE(suggest_limit(fine, expert_attempts(odd, {"e1", "e2"}, "l"), SWAGE_BETTER_LOWER));
+  EXPECT_NEAR(fine.most, 0.92, 1e-9) << "two digits, rounded away from the experts";
   EXPECT_FALSE(suggest_limit(y, experts, SWAGE_BETTER_NONE));
   EXPECT_TRUE(expert_attempts(all, {}, "l").empty()) << "nobody is an expert by chance";
   // what was not passed meets nothing in a course, and is no measure for others
