@@ -107,7 +107,9 @@ TEST(RatingScales, ATornWoundIsNoRespectForTissue) {
       {"wound.size", 3.01}, {"tissue.swept", 0}, {"tissue.stray", 0}, {"insert.deflections", 0}, {"task.success", 0}};
   const judge::Rating rating = judge::rate(*smart, told, false);
   for (size_t i = 0; i < smart->items.size(); ++i)
-    if (smart->items[i].id == "respect_for_tissue") EXPECT_THAT(rating.item[i], testing::Optional(testing::DoubleEq(1)));
+    if (smart->items[i].id == "respect_for_tissue") {
+      EXPECT_THAT(rating.item[i], testing::Optional(testing::DoubleEq(1)));
+    }
   EXPECT_DOUBLE_EQ(rating.mean, 1);
 }
 
