@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QTextBrowser>
+#include <QTextDocument>
 
 #include "console/widgets/parts.hpp"
 
@@ -175,6 +176,7 @@ void HelpDialog::add_handbook(const char* name, const QString& title) {
   text->setFrameShape(QFrame::NoFrame);
   QFile file(QStringLiteral(":/handbook/%1.md").arg(QLatin1String(name)));
   if (file.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(file.readAll()));
+  text->document()->setDocumentMargin(14);  // px, so that words keep clear of the frame
   tabs_->addTab(text, title);
 }
 
