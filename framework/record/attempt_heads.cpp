@@ -45,8 +45,13 @@ std::string low_bits(const std::string& number) {
 }  // namespace
 
 std::string select_attempts(bool school) {
+  // of a scripted attempt with the hand that was chosen: "swage.device.skilled (expert)"
+  const std::string device =
+      school ? "a.device || CASE WHEN v.is_scripted = 1 THEN COALESCE((SELECT ' (' || d.choice || ')' FROM hand d"
+               " WHERE d.attempt_id = a.attempt_id AND d.seq = 0 AND d.choice <> ''), '') ELSE '' END AS device"
+             : "a.device";
   const std::string own =
-      "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, a.device, a.started_utc, a.ended_utc,"
+      "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, " + device + ", a.started_utc, a.ended_utc,"
       " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void, " + std::string(kHealth) + " AS health, a.realtime, a.dropped";
   const std::string from =
       " FROM attempt a JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";

@@ -65,6 +65,25 @@ TEST(Store, KeepsPeopleAttemptsAndMetrics) {
   EXPECT_DOUBLE_EQ(events[0].time_s, 0.099);
 }
 
+TEST(Store, TheDeviceOfARecordedHandSaysWhichHandWasChosen) {
+  const Folder folder;
+  const std::string path = folder / "a.db";
+  record_attempt(path, 10);
+  base::Problems problems;
+  AttemptInfo info = make_info();
+  info.hands[0].flags = SWAGE_DEVICE_SCRIPTED;
+  const auto recorder = Recorder::open(path, info, problems);
+  ASSERT_TRUE(recorder);
+  for (uint64_t step = 0; step < 10; ++step) recorder->step(make_step(7, step));
+  recorder->finish(make_end());
+  std::string error;
+  const auto store = Store::open(path, error);
+  ASSERT_TRUE(store) << error;
+  std::vector<std::string> devices;
+  for (const AttemptRow& a : store->attempts("")) devices.push_back(a.device);
+  EXPECT_THAT(devices, testing::UnorderedElementsAre("swage.device.mouse", "swage.device.mouse (expert)"));
+}
+
 TEST(Store, TwoReadersAndAWriterAtOnce) {
   const Folder folder;
   const std::string path = folder / "a.db";
