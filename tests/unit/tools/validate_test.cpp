@@ -303,6 +303,31 @@ TEST_F(Validate, WrongUses) {
   EXPECT_THAT(empty.err, HasSubstr(say::kHoldsNeither(folder())));
 }
 
+// a test that cannot be made is no finding about the plugin, and says why
+TEST_F(Validate, WhyOneTestIsNotMade) {
+  const Said strict = swage({"validate", stock("swage.object.needle"), "--only", "real_time"});
+  EXPECT_EQ(strict.code, 2) << strict.out << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr(say::kNeedsStrictness("real_time", 7)));
+  const Said kind = swage({"validate", stock("swage.lesson.look"), "--only", "traits"});
+  EXPECT_EQ(kind.code, 2) << kind.out << kind.err;
+  EXPECT_THAT(kind.out, HasSubstr(say::kNotOfItsKind("traits", "objects")));
+  EXPECT_THAT(kind.out, testing::Not(HasSubstr("NOT good")));
+  const Said json = swage({"validate", stock("swage.lesson.look"), "--only", "traits", "--json"});
+  EXPECT_EQ(json.json()[0]["reason"], say::kNotOfItsKind("traits", "objects"));
+}
+
+// what a failed build leaves behind
+TEST_F(Validate, ABundleWithoutALibrary) {
+  for (const char* file : {"org.example.empty/words.de.json", "made/plugin.json"}) {
+    const std::string bundle = path(std::filesystem::path(file).parent_path().string());
+    std::filesystem::create_directories(bundle);
+    write(file, "{}");
+    const Said said = swage({"validate", bundle});
+    EXPECT_EQ(said.code, 2) << said.out << said.err;
+    EXPECT_THAT(said.err, HasSubstr(say::kNoLibraryIn(bundle)));
+  }
+}
+
 TEST_F(Validate, LessonFilesToo) {
   const std::string good = source("lessons/series/020_grasp_basic.json");
   const Said said = swage({"validate", good});
