@@ -63,15 +63,32 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   expect("coupling_tiebody", say::kTieBody());
   expect("coupling_tiestrength", say::kTieStiffness(-1));
   expect("coupling_visuals", say::kManyVisuals(1, 0));
-  expect("coupling_visualkind", say::kVisualKind(99, 0));
+  expect("coupling_visualkind", say::kOfVisual(0, "unknown", say::kVisualKind(99)));
   expect("coupling_visualbody", say::kVisualBody.words(0));
-  expect("coupling_visualnumber", say::kVisualNumber());
+  expect("coupling_visualtone", say::kOfVisual(0, "line", say::kVisualTone(77)));
+  expect("coupling_visualnormal", say::kOfVisual(0, "disc", say::kVisualNormal("0")));
+  expect("coupling_visualnumber", say::kOfVisual(0, "line", say::kVisualNumber("b.y")));
   expect("coupling_visualsize", say::kVisualSize("-0.0001"));
   expect("coupling_visualstrength", say::kVisualStrength("1.5"));
   expect("coupling_visualmeddles", say::kVisualMeddles());
   expect("coupling_visualother", say::kVisualOther());
 #ifndef SWAGE_SANITIZED
   expect("lesson_allocates", say::kAllocates(2000, 2000));
+#endif
+}
+
+// in a run without pace neither is noticed
+TEST_F(Validate, WhoSleepsOrAllocatesInTheStepIsTold) {
+  const auto expect = [&](const std::string& plugin, const std::string& test, const std::string& text) {
+    const Said said = swage({"validate", bad(plugin), "--only", test, "--strictness", "7"});
+    EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
+  };
+  expect("lesson_sleeps", "waits", host::text(host::FaultKind::kWaited));
+  expect("coupling_sleeps", "waits", host::text(host::FaultKind::kWaited));
+#ifndef SWAGE_SANITIZED
+  expect("lesson_allocates", "real_time", say::kAllocates(1000, 1000));
+  expect("coupling_takes", "real_time", say::kAllocates(1000, 1000));
 #endif
 }
 
@@ -147,8 +164,8 @@ TEST_F(Validate, SolversThatLieAreTold) {
   expect("stands", say::kImpulsesSlip.words(0));
   expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
   expect("infinite", say::kImpulsesNotFinite());
-  expect("dents", say::kVisualNumber());
-  expect("meddles", say::kVisualMeddles());
+  expect("dents", say::kOfVisual(0, "dent", say::kVisualNumber("b.z")), "drawing");
+  expect("meddles", say::kVisualMeddles(), "drawing");
   expect("surface", say::kSurfaceUnwritten());
   expect("unsteadysurface", say::kOtherBits("displacement"));
   expect("bandless", say::kBandNoChain.words(0));
