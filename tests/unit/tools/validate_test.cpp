@@ -165,6 +165,9 @@ TEST_F(Validate, SolversThatLieAreTold) {
   expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
   expect("infinite", say::kImpulsesNotFinite());
   expect("dents", say::kOfVisual(0, "dent", say::kVisualNumber("b.z")), "drawing");
+  // what is not wrong and will not be seen is a warning
+  for (const auto& [name, text] : {std::pair{"unseen", say::kVisualUnseen(0, "dent", "swage.trait.pierceable/1")}, {"many", say::kVisualsLeftOut(200, 80)}})
+    EXPECT_THAT(validate(name, "drawing").out, testing::AllOf(HasSubstr("warning"), HasSubstr(text), HasSubstr("\n  good: ")));
   expect("meddles", say::kVisualMeddles(), "drawing");
   expect("surface", say::kSurfaceUnwritten());
   expect("unsteadysurface", say::kOtherBits("displacement"));
