@@ -43,6 +43,17 @@ std::string impossible_text(double force) {
   return say::kPressed(host::format_quantity(std::round(force), "N"), host::format_quantity(step::kMaxContactForce, "N"));
 }
 
+// the plugin whose own time or sleep made it late until it was in quarantine, "" for none: then it is the machine
+std::string who_was_late(const host::Rig& rig) {
+  for (const host::Instance* instance : host::instances(rig)) {
+    const host::FaultKind fault = instance->fault.load();
+    if (instance->quarantined.load() != 0 &&
+        (fault == host::FaultKind::kLate || fault == host::FaultKind::kWaited || fault == host::FaultKind::kStalled))
+      return instance->name + " (" + instance->plugin_id + ")";
+  }
+  return "";
+}
+
 }  // namespace
 
 Result Run::make_result(Ending ending) const {
@@ -88,8 +99,11 @@ void Run::tell_circumstances(Result& out) const {
   if (made + lost > 0) out.speed = made / (made + lost);
   out.forces_off_s = loop_->forces_off_s();
   const auto tenths = [](double s) { return host::format_number(0.1 * std::round(10 * s)); };
-  if (realtime() && out.speed < kSlow)
-    out.problems.push_back({Severity::kWarning, "loop", say::kTooSlow(std::lround(1e2 * out.speed), tenths(lost * rig_->world.dt))});
+  if (realtime() && out.speed < kSlow) {
+    const std::string who = who_was_late(*rig_), left = tenths(lost * rig_->world.dt);
+    const long percent = std::lround(1e2 * out.speed);
+    out.problems.push_back({Severity::kWarning, "loop", who.empty() ? say::kTooSlow(percent, left) : say::kTooSlowBy(percent, who, left)});
+  }
   if (out.forces_off_s > 0) out.problems.push_back({Severity::kWarning, "forces", say::kForcesOff(tenths(out.forces_off_s))});
 }
 

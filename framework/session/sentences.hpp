@@ -42,6 +42,8 @@ inline constexpr auto kPressed =
     "Two surfaces pressed on each other with {}, more than any hand can ({}): the attempt is void. A stiffness, a density or the rate of this lesson does not fit its scene."_sentence;
 inline constexpr auto kTooSlow =
     "The attempt ran at {} % of real speed, because the machine could not keep up: {} s were left out. Its times and speeds are not those of the hand."_sentence;
+inline constexpr auto kTooSlowBy =
+    "The attempt ran at {} % of real speed, because {} held the steps up: {} s were left out. Its times and speeds are not those of the hand."_sentence;
 inline constexpr auto kForcesOff =
     "For {} s of this attempt no force was given: the force guard had switched off after a fault. Pause and resume to switch it on again."_sentence;
 inline constexpr auto kHung =

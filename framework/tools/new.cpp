@@ -53,6 +53,17 @@ std::string camel(const std::string& word) {
   return out;
 }
 
+// "FineClip" -> "Fine clip", as people read it
+std::string title(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool begins = !out.empty() && std::isupper(static_cast<unsigned char>(c)) != 0;
+    if (begins) out += ' ';
+    out += begins ? static_cast<char>(std::tolower(static_cast<unsigned char>(c))) : c;
+  }
+  return out;
+}
+
 std::string replaced(std::string text, const Tokens& tokens) {
   for (const auto& [token, value] : tokens)
     for (auto at = text.find(token); at != std::string::npos; at = text.find(token, at + value.size()))
@@ -120,7 +131,8 @@ int make_new(const NewOptions& o) {
   const fs::path to = o.dir.empty() ? fs::path(file) : fs::path(o.dir);
   if (fs::exists(to, ignored) && (!fs::is_directory(to, ignored) || !fs::is_empty(to, ignored)))
     return problem(say::kNotEmpty(to.string()));
-  const Tokens tokens = {{"@ID@", o.id}, {"@NAME@", o.name.empty() ? camel(file) : o.name}, {"@FILE@", file}};
+  const std::string name = o.name.empty() ? camel(file) : o.name;
+  const Tokens tokens = {{"@ID@", o.id}, {"@NAME@", name}, {"@TITLE@", title(name)}, {"@FILE@", file}};
   std::vector<std::string> made;
   if (!copy(from, to, tokens, made))
     return problem(say::kNoPlace(made.back()));

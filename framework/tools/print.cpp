@@ -38,9 +38,11 @@ std::string printable(const std::string& text) { return base::printable(text); }
 void tell(base::Severity severity, const std::string& where, const std::string& message) {
   // flushes results first, if both go to one terminal
   std::fflush(stdout);
-  const char* between = where.empty() ? "" : ": ";
+  // a sentence about an instance begins with its name, which is not said twice
+  const std::string place = !where.empty() && message.starts_with(where + " (") ? "" : where;
+  const char* between = place.empty() ? "" : ": ";
   const auto shown = [](const std::string& s) { return base::printable(base::shortened(s, kMostShown)); };
-  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), shown(where).c_str(), between, shown(message).c_str());
+  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), shown(place).c_str(), between, shown(message).c_str());
 }
 
 void tell(const base::Problems& problems) {

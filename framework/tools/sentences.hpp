@@ -180,11 +180,15 @@ inline constexpr auto kReadyAnd = "ready. {}"_sentence;
 
 // swage validate
 inline constexpr auto kNoTest = "There is no test \"{}\".{} It has: {}."_sentence;  // second: "did you mean"
+inline constexpr auto kNeedsStrictness = "The test \"{}\" needs --strictness {}."_sentence;
+inline constexpr auto kNotOfItsKind = "Nothing was tested: \"{}\" is a test of {}."_sentence;
+inline constexpr auto kNoLibraryIn = "{} is a bundle without a library (*.so): build it first."_sentence;
 inline constexpr auto kHoldsNeither = "{} holds neither a plugin (*.so) nor lessons (*.json)."_sentence;
 inline constexpr auto kSeed = " Seed: {}."_sentence;
 inline constexpr auto kParameters = " Parameters: {}"_sentence;
 
 // the tests of a plugin that steps
+inline constexpr auto kLateHere = "{} That depends on this machine."_sentence;
 inline constexpr auto kStepTakes = "A step of its scene takes {} ms, p99 {} ms, worst {} ms."_sentence;
 inline constexpr auto kEnergy = "Its energy grew by {} J until step {}, with nothing that touches it."_sentence;
 inline constexpr auto kSubnormal = "A private double has become subnormal: arithmetic with it is a hundred times slower."_sentence;
@@ -255,11 +259,17 @@ inline constexpr auto kImpulsesSlip = "After apply_impulses() without impulses t
 // what is drawn beside shapes
 inline constexpr auto kManyVisuals = "draw() writes {} primitives where there is room for {}"_sentence;
 inline constexpr auto kVisualBeyond = "draw() writes beyond the {} primitives that there is room for"_sentence;
-inline constexpr auto kVisualKind = "draw() gives a primitive of kind {} and tone {}, which nobody knows"_sentence;
-inline constexpr auto kVisualBody = "draw() gives a primitive on body {}, and its object has {}"_sentence;
-inline constexpr auto kVisualNumber = "draw() gives a primitive with a number that is not finite, or a place that is nowhere"_sentence;
-inline constexpr auto kVisualSize = "draw() gives a primitive with a radius of {} m"_sentence;
-inline constexpr auto kVisualStrength = "draw() gives a primitive with a strength of {}; it goes from 0 to 1"_sentence;
+inline constexpr auto kOfVisual = "draw(): primitive {} ({}) {}"_sentence;  // from 0, its kind, one of the next
+inline constexpr auto kVisualKind = "is of kind {}, which nobody knows"_sentence;
+inline constexpr auto kVisualTone = "has the tone {}, which nobody knows"_sentence;
+inline constexpr auto kVisualBody = "is on body {}, and its object has {}"_sentence;
+inline constexpr auto kVisualNumber = "has a {} that is not finite, or beyond 1e6 m"_sentence;  // member: "a.z"
+inline constexpr auto kVisualSize = "has a radius of {} m"_sentence;
+inline constexpr auto kVisualStrength = "has a strength of {}; it goes from 0 to 1"_sentence;
+inline constexpr auto kVisualNormal = "has a normal of length {}; a normal is unit"_sentence;
+inline constexpr auto kVisualUnseen = "draw(): primitive {} ({}) is seen only on objects with the trait {}"_sentence;
+inline constexpr auto kVisualsLeftOut = "draw() has {} primitives, and the host has room for {}: the others are not drawn"_sentence;
+inline constexpr auto kDrawsNothing = "It draws nothing beside its shapes."_sentence;
 inline constexpr auto kVisualMeddles = "draw() changes the scene; it may only look"_sentence;
 inline constexpr auto kVisualOther = "draw() gives other bits when it is asked the same again"_sentence;
 

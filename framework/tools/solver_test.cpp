@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/rng.hpp"
@@ -21,7 +20,6 @@
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
-#include "tools/visual_test.hpp"
 
 namespace swage::tools {
 namespace {
@@ -273,38 +271,12 @@ class Solver {
   std::string note_;
 };
 
-std::string drawn(Stepped& s, uint32_t object) {
-  const host::ObjectSlot& slot = s.rig->objects[object];
-  if (slot.visuals == nullptr) return "";
-  scene::World& world = s.rig->world;
-  const swage_input input{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
-  const swage_object_step view =
-      scene::view(world, {slot.body, slot.particle, slot.shape, slot.hinge, slot.state, slot.signal}, &input);
-  const host::ScopedRole rt(SWAGE_THREAD_RT);
-  const std::string wrong = visuals(
-      [&](uint32_t room, swage_visual* out, uint32_t* n) {
-        return host::guarded(*slot.instance, host::Call::kDraw, world.step,
-                             [&] { return slot.visuals->draw(slot.instance->raw, &view, nullptr, room, out, n); });
-      },
-      slot.body.count, world);
-  return slot.instance->quarantined.load() != 0 ? host::quarantine_text(*slot.instance) : wrong.empty() ? "" : wrong + ".";
-}
-
-// parameters to test: the defaults, and each value of each choice (levels of detail are choices)
-std::vector<std::string> ways(const host::ParamTable& table) {
-  std::vector<std::string> out = {"{}"};
-  for (const host::Param& p : table)
-    if (p.type == SWAGE_PARAM_CHOICE)
-      for (const std::string& choice : p.choices) out.push_back(nlohmann::json{{p.id, choice}}.dump());
-  return out;
-}
-
 }  // namespace
 
 Finding solver(const TestScene& scene, uint64_t seed) {
-  bool moved = false, draws = false;
+  bool moved = false;
   std::string note;
-  for (const std::string& params : ways(scene.plugin().params)) {
+  for (const std::string& params : ways_of(scene.plugin().params)) {
     Stepped s;
     std::string error;
     Wish wish;
@@ -312,17 +284,15 @@ Finding solver(const TestScene& scene, uint64_t seed) {
     if (!scene.make(wish, s, error)) continue;  // test "range" covers parameters that are refused
     const uint32_t subject = scene.subject(wish);
     Solver solver(s, subject, seed);
-    draws |= s.rig->objects[subject].visuals != nullptr;
     for (int round = 0; round < 5; ++round) {
       std::string wrong = s.run(7);
-      if (wrong.empty()) wrong = drawn(s, subject);
       if (wrong.empty() && solver.moves()) wrong = solver.check();
       if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : say::kParameters(params))};
     }
     moved |= solver.moves();
     if (!solver.note().empty()) note = solver.note();
   }
-  if (!moved && !draws) return {Mark::kSkipped, say::kNoSolver()};
+  if (!moved) return {Mark::kSkipped, say::kNoSolver()};
   return {Mark::kSuccess, note};
 }
 

@@ -335,6 +335,7 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
       {5, "alone", "the same bits in a second run, and with another instance in the scene", alone,
        kObject | kCoupling | kLesson},
       {5, "solver", "the solver's answers: symmetric, no energy out of nothing, the same bits again, and kept", solver, kObject},
+      {5, "drawing", "what it draws beside its shapes: within its room, sensible, and it changes nothing", drawing, kObject},
       {5, "traits", "what its traits answer, near, far and beyond its ends", traits, kObject},
       {5, "driver", "opens and closes again and again on a thread of its own, measures forwards, comes back in time", driver,
        kDevice},
@@ -347,6 +348,9 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
       {6, "fuzz_values",
        "2000 steps of a world in which nothing belongs together: behaves, remembers nothing, forgets",
        fuzz_values, kCoupling | kLesson},
+      // objects have that of the host
+      {7, "real_time", "no allocation in the step", real_time, kCoupling | kLesson},
+      {7, "waits", "1000 steps by the clocks of a paced run: no sleep or wait in them", waits, kObject | kCoupling | kLesson},
       {8, "time", "processor time of a step", time, host::kAllKinds},
       {9, "fuzz", "5000 steps led by a hand that sends random values", fuzz, kObject | kCoupling | kLesson},
   };

@@ -4,6 +4,7 @@
 #include "host/validate.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,7 @@ using Json = nlohmann::ordered_json;
 
 struct Report {
   bool good = true;
+  std::string untested;  // why a path was not tested at all, "" where each was
   Json json = Json::array();
 };
 
@@ -78,6 +80,16 @@ Json to_json(const ValidateResult& r) {
           {"seconds", r.seconds}};
 }
 
+// "objects, devices": the kinds of plugins that have this test
+std::string kinds_of(const std::string& name, const std::vector<host::ValidateTest>& tests) {
+  std::vector<std::string> kinds;
+  for (const int32_t kind : {SWAGE_KIND_OBJECT, SWAGE_KIND_COUPLING, SWAGE_KIND_DEVICE, SWAGE_KIND_LESSON})
+    if (std::any_of(tests.begin(), tests.end(),
+                    [&](const auto& test) { return test.name == name && (test.kinds & host::kind_bit(kind)) != 0; }))
+      kinds.push_back(std::string(host::kind_text(kind)) + "s");
+  return host::join(kinds);
+}
+
 void validate_bundle(const std::string& path, const ValidateOptions& o,
                      const std::vector<host::ValidateTest>& tests, Report& report) {
   host::ValidateOptions options;
@@ -102,7 +114,14 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
     std::fflush(stdout);
   };
   const std::vector<ValidateResult> results = host::validate(path, tests, options, hear);
-  const bool good = !results.empty() && host::passed(results);
+  // the test that is asked for alone may be one of other kinds of plugins; that is no fault of this one
+  if (results.empty()) {
+    report.untested = say::kNotOfItsKind(o.only, kinds_of(o.only, tests));
+    report.json.push_back({{"path", path}, {"good", false}, {"tests", list}, {"reason", report.untested}});
+    if (!o.json) std::printf("  %s\n", report.untested.c_str());
+    return;
+  }
+  const bool good = host::passed(results);
   report.good &= good;
   report.json.push_back({{"path", path}, {"good", good}, {"tests", list}});
   const auto of = [&](Mark mark) { return count[static_cast<std::size_t>(mark)]; };
@@ -117,6 +136,24 @@ bool holds_library(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".so") return true;
   return false;
+}
+
+// true for what a failed build leaves: the folder of a bundle, by its plugin.json or its name, without a library
+bool lacks_library(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored) || holds_library(folder)) return false;
+  if (fs::exists(folder / "plugin.json", ignored)) return true;
+  const fs::path whole = fs::absolute(folder, ignored).lexically_normal();
+  const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+  const bool is_id = !name.empty() && name.find('.') != std::string::npos && name.front() != '.' && name.back() != '.' &&
+                     std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                       return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_' || c == '.';
+                     });
+  // a folder of lessons may be called so too; translations lie in bundles
+  return is_id && std::all_of(fs::directory_iterator(folder, ignored), fs::directory_iterator(), [](const auto& entry) {
+           const std::string file = entry.path().filename().string();
+           return !file.ends_with(".json") || file.starts_with("words");
+         });
 }
 
 // expands a path: a folder stands for each of its lessons or bundles
@@ -155,11 +192,17 @@ int validate(const ValidateOptions& o) {
   for (const host::ValidateTest& test : tests) names.push_back(test.name);
   if (!o.only.empty() && std::find(names.begin(), names.end(), o.only) == names.end())
     return problem(say::kNoTest(o.only, host::did_you_mean(o.only, names), host::join(names)));
+  uint32_t level = 10;
+  for (const host::ValidateTest& test : tests)
+    if (test.name == o.only) level = std::min(level, test.level);
+  if (!o.only.empty() && level > o.strictness) return problem(say::kNeedsStrictness(o.only, level));
   std::error_code ignored;
   std::vector<std::string> paths;
-  for (const std::string& path : o.paths)
+  for (const std::string& path : o.paths) {
+    if (lacks_library(path)) return problem(say::kNoLibraryIn(path));
     if (!spread(path, paths))
       return problem(fs::exists(path, ignored) ? say::kHoldsNeither(path) : say::kNothingThere(path));
+  }
 
   Report report;
   for (const std::string& path : paths) {
@@ -169,7 +212,7 @@ int validate(const ValidateOptions& o) {
       validate_bundle(path, o, tests, report);
   }
   if (o.json) print(report.json);
-  return report.good ? kPassed : kNotPassed;
+  return !report.good ? kNotPassed : report.untested.empty() ? kPassed : kProblem;
 }
 
 }  // namespace swage::tools

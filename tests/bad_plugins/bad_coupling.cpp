@@ -4,11 +4,13 @@
 #include <swage/coupling.hpp>
 
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 
 namespace bad_coupling {
 
-enum class Fault { kNegative, kPoisoned, kTies, kTiePlace, kTieBody, kTieStrength, kVisuals, kVisualKind, kVisualBody, kVisualNumber,
-                   kVisualSize, kVisualStrength, kVisualMeddles, kVisualOther };
+enum class Fault { kNegative, kPoisoned, kSleeps, kTakes, kTies, kTiePlace, kTieBody, kTieStrength, kVisuals, kVisualKind, kVisualBody, kVisualNumber,
+                   kVisualTone, kVisualNormal, kVisualSize, kVisualStrength, kVisualMeddles, kVisualOther };
 constexpr Fault kFault = Fault::FAULT;
 // a fault that the step itself punishes begins after the first steps of a scene
 constexpr double kGood = 0.1;  // s
@@ -27,6 +29,14 @@ class Bad final : public swage::Coupling<>, public swage::Ties {
     for (swage_contact& c : step.contacts()) {
       if (kFault == Fault::kNegative && step.time() >= kGood) c.friction = -1;
       if (kFault == Fault::kPoisoned) sum_ += c.gap;
+    }
+    if (kFault == Fault::kSleeps) {
+      const timespec two_ms{0, 2'000'000};
+      nanosleep(&two_ms, nullptr);
+    }
+    if (kFault == Fault::kTakes) {
+      void* volatile block = std::malloc(8);
+      std::free(block);
     }
     step.signal(gap_, 0);
     late_ = step.time() >= kGood;
@@ -57,6 +67,8 @@ class Bad final : public swage::Coupling<>, public swage::Ties {
     if (capacity == 0) return 0;
     out = {SWAGE_VISUAL_LINE, SWAGE_NONE, 0, SWAGE_TONE_INK, {0, 0, 0}, {1e-3, 0, 0}, {0, 0, 0}, 1e-4, 1};
     if (kFault == Fault::kVisualKind) out.kind = 99;
+    if (kFault == Fault::kVisualTone) out.tone = 77;
+    if (kFault == Fault::kVisualNormal) out.kind = SWAGE_VISUAL_DISC;
     if (kFault == Fault::kVisualBody) out.body = step.b->n_body;
     if (kFault == Fault::kVisualNumber) out.b.y = std::nan("");
     if (kFault == Fault::kVisualSize) out.radius = -1e-4;

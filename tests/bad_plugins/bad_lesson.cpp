@@ -4,11 +4,12 @@
 #include <swage/lesson.hpp>
 
 #include <cstdlib>
+#include <ctime>
 #include <limits>
 
 namespace bad_lesson {
 
-enum class Fault { kRemembers, kKeeps, kShares, kAllocates, kEndless, kBoasts };
+enum class Fault { kRemembers, kKeeps, kShares, kAllocates, kEndless, kBoasts, kSleeps };
 constexpr Fault kFault = Fault::FAULT;
 // faults that the step itself punishes begin after the first steps of a scene
 constexpr double kGood = 0.1;  // s
@@ -33,6 +34,10 @@ class Bad final : public swage::Lesson<> {
     if (kFault == Fault::kAllocates) {
       void* volatile block = std::malloc(8);
       std::free(block);
+    }
+    if (kFault == Fault::kSleeps) {
+      const timespec two_ms{0, 2'000'000};
+      nanosleep(&two_ms, nullptr);
     }
     if (kFault == Fault::kEndless && now) verdict.metric(metric_, std::numeric_limits<double>::infinity());
     if (kFault == Fault::kBoasts && now) verdict.pass(101);

@@ -12,7 +12,7 @@
 namespace {
 
 enum Fault {
-  kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kInfinite, kAborts, kDents, kMeddles, kNearest,
+  kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kInfinite, kAborts, kDents, kUnseen, kMany, kMeddles, kNearest,
   kSurface, kUnsteadySurface, kBandless
 };
 
@@ -101,6 +101,8 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
 
   void draw(const swage::Step& step, swage::Visuals& out) override {
     if (F == kDents) out.dent({0, 0, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1e-3);
+    if (F == kUnseen) out.dent({0, 0, 0}, {0, 0, 1e-4}, 1e-3);
+    for (int i = 0; F == kMany && i < 200; ++i) out.line({0, 0, 0}, {0, 0, 1e-3}, 0);
     if (F == kMeddles) step.state<State>().rest.x += 1e-6;
   }
   void locate(const swage::Step& step, swage_vec3, swage_graspable_place& out) override {

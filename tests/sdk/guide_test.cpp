@@ -50,9 +50,10 @@ std::map<std::string, std::string> instantiated() {
   std::map<std::string, std::string> files;
   for (const auto& e : examples) {
     const auto fill = [&e](const std::string& text) {
+      // names of one word: the title is the name
       return replaced(
-          replaced(replaced(text, "@ID@", std::string("org.example.") + e.file), "@FILE@", e.file), "@NAME@",
-          e.name);
+          replaced(replaced(replaced(text, "@ID@", std::string("org.example.") + e.file), "@FILE@", e.file), "@NAME@", e.name),
+          "@TITLE@", e.name);
     };
     for (const auto& entry : fs::directory_iterator(kRoot / "resources/plugin_template" / e.kind))
       files[std::string(e.kind) + "/" + fill(entry.path().filename().string())] = fill(read(entry.path()));

@@ -14,7 +14,7 @@ class @NAME@ final : public swage::Coupling<@NAME@Params> {
  public:
   static constexpr auto id = "@ID@";
   static constexpr auto version = "0.1.0";
-  static constexpr auto name = "@NAME@";
+  static constexpr auto name = "@TITLE@";
   static constexpr auto summary = "Contact with friction between two solids, and how hard they press.";
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";

@@ -24,7 +24,7 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
  public:
   static constexpr auto id = "@ID@";
   static constexpr auto version = "0.1.0";
-  static constexpr auto name = "@NAME@";
+  static constexpr auto name = "@TITLE@";
   static constexpr auto summary = "An elastic strand that stretches, bends and touches; it does not twist.";
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";

@@ -16,7 +16,7 @@ class @NAME@ final : public swage::Object<@NAME@Params>, public swage::Solid {
  public:
   static constexpr auto id = "@ID@";
   static constexpr auto version = "0.1.0";
-  static constexpr auto name = "@NAME@";
+  static constexpr auto name = "@TITLE@";
   static constexpr auto summary = "A ball on a spring.";
   static constexpr auto author = "Somebody";
   static constexpr auto licence = "Apache-2.0";

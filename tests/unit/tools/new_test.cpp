@@ -31,10 +31,11 @@ TEST_F(New, EveryKindLosesItsTokens) {
     EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"),
                 HasSubstr("org.example.fine_clip"));
     EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"), HasSubstr("FineClip"));
+    EXPECT_THAT(slurp(folder / "fine_clip.hpp"), HasSubstr("auto name = \"Fine clip\";"));
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("@")));
       if (!entry.is_regular_file()) continue;
-      for (const char* token : {"@ID@", "@NAME@", "@FILE@"})
+      for (const char* token : {"@ID@", "@NAME@", "@TITLE@", "@FILE@"})
         EXPECT_THAT(slurp(entry.path()), Not(HasSubstr(token))) << entry.path();
     }
   }

@@ -6,6 +6,13 @@
 namespace swage::tools {
 namespace {
 
+TEST(Print, ANameIsSaidOnce) {
+  testing::internal::CaptureStderr();
+  tell(base::Severity::kError, "clip", "clip (org.example.clip 1.0.0) slept.");
+  tell(base::Severity::kError, "clip", "clips nothing.");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "error: clip (org.example.clip 1.0.0) slept.\nerror: clip: clips nothing.\n");
+}
+
 TEST(Print, AQuantityIsToldInTheUnitOfItsScale) {
   EXPECT_EQ(quantity_text(0.0012, "m"), "1.2 mm");
   EXPECT_EQ(quantity_text(2e-6, "m"), "2 um");

@@ -15,6 +15,8 @@
 #include "record/school.hpp"
 #include "record/sql.hpp"
 #include "record/store.hpp"
+#include "session/sentences.hpp"
+#include "test_places.hpp"
 #include "tools/sentences.hpp"
 
 namespace swage::tools::test {
@@ -75,6 +77,26 @@ TEST_F(Run, SaysHowItWentAndWhereItIsKept) {
   EXPECT_THAT(said.out, testing::ContainsRegex("time.task +0.5[0-9]* s +Simulated time that was looked at."));
   EXPECT_THAT(said.out, testing::ContainsRegex("loop: 50[0-9] steps, mean "));
   EXPECT_THAT(said.out, testing::ContainsRegex("kept as attempt [0-9a-f-]{36} in " + store()));
+}
+
+// who sleeps in a paced run is named once, and the machine is not blamed for it
+TEST_F(Run, APluginThatSleepsIsBlamed) {
+  const std::string id = "org.example.bad.coupling_sleeps";
+  std::filesystem::create_directories(path("plugins"));
+  std::filesystem::copy(SWAGE_BINARY_DIR "/tests/bad_plugins/bundles/" + id, path("plugins/" + id),
+                        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+  write("sleepy.json", R"({ "format": "swage-lesson/1", "id": "org.example.sleepy", "title": "Sleepy", "scene_length": "1 mm",
+    "requires": { "swage.object.solids": "^1", ")" + id + R"(": "^1", "swage.lesson.look": "^1" },
+    "objects": [ { "name": "ring", "plugin": "swage.object.solids" },
+                 { "name": "hook", "plugin": "swage.object.solids", "pose": { "p": ["20 mm", "0 mm", "0 mm"] } } ],
+    "couplings": [ { "name": "nap", "plugin": ")" + id + R"(", "between": ["ring", "hook"] } ],
+    "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.5 s" } } })");
+#if defined(__OPTIMIZE__) && !defined(SWAGE_SANITIZED)  // elsewhere a step has more time
+  const Said said = run(path("sleepy.json"), {"--plugin-dir", path("plugins")});
+  EXPECT_EQ(said.code, 1) << said.out << said.err;
+  EXPECT_THAT(said.err, HasSubstr("error: nap (" + id));
+  EXPECT_THAT(said.err, testing::Not(HasSubstr(session::say::kTooSlow.words(1))));
+#endif
 }
 
 // A name that nobody entered gets a made code; only the roster has the name.

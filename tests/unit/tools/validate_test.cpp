@@ -63,15 +63,32 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   expect("coupling_tiebody", say::kTieBody());
   expect("coupling_tiestrength", say::kTieStiffness(-1));
   expect("coupling_visuals", say::kManyVisuals(1, 0));
-  expect("coupling_visualkind", say::kVisualKind(99, 0));
+  expect("coupling_visualkind", say::kOfVisual(0, "unknown", say::kVisualKind(99)));
   expect("coupling_visualbody", say::kVisualBody.words(0));
-  expect("coupling_visualnumber", say::kVisualNumber());
+  expect("coupling_visualtone", say::kOfVisual(0, "line", say::kVisualTone(77)));
+  expect("coupling_visualnormal", say::kOfVisual(0, "disc", say::kVisualNormal("0")));
+  expect("coupling_visualnumber", say::kOfVisual(0, "line", say::kVisualNumber("b.y")));
   expect("coupling_visualsize", say::kVisualSize("-0.0001"));
   expect("coupling_visualstrength", say::kVisualStrength("1.5"));
   expect("coupling_visualmeddles", say::kVisualMeddles());
   expect("coupling_visualother", say::kVisualOther());
 #ifndef SWAGE_SANITIZED
   expect("lesson_allocates", say::kAllocates(2000, 2000));
+#endif
+}
+
+// in a run without pace neither is noticed
+TEST_F(Validate, WhoSleepsOrAllocatesInTheStepIsTold) {
+  const auto expect = [&](const std::string& plugin, const std::string& test, const std::string& text) {
+    const Said said = swage({"validate", bad(plugin), "--only", test, "--strictness", "7"});
+    EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
+  };
+  expect("lesson_sleeps", "waits", host::text(host::FaultKind::kWaited));
+  expect("coupling_sleeps", "waits", host::text(host::FaultKind::kWaited));
+#ifndef SWAGE_SANITIZED
+  expect("lesson_allocates", "real_time", say::kAllocates(1000, 1000));
+  expect("coupling_takes", "real_time", say::kAllocates(1000, 1000));
 #endif
 }
 
@@ -147,8 +164,11 @@ TEST_F(Validate, SolversThatLieAreTold) {
   expect("stands", say::kImpulsesSlip.words(0));
   expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
   expect("infinite", say::kImpulsesNotFinite());
-  expect("dents", say::kVisualNumber());
-  expect("meddles", say::kVisualMeddles());
+  expect("dents", say::kOfVisual(0, "dent", say::kVisualNumber("b.z")), "drawing");
+  // what is not wrong and will not be seen is a warning
+  for (const auto& [name, text] : {std::pair{"unseen", say::kVisualUnseen(0, "dent", "swage.trait.pierceable/1")}, {"many", say::kVisualsLeftOut(200, 80)}})
+    EXPECT_THAT(validate(name, "drawing").out, testing::AllOf(HasSubstr("warning"), HasSubstr(text), HasSubstr("\n  good: ")));
+  expect("meddles", say::kVisualMeddles(), "drawing");
   expect("surface", say::kSurfaceUnwritten());
   expect("unsteadysurface", say::kOtherBits("displacement"));
   expect("bandless", say::kBandNoChain.words(0));
@@ -301,6 +321,31 @@ TEST_F(Validate, WrongUses) {
   const Said empty = swage({"validate", folder()});
   EXPECT_EQ(empty.code, 2);
   EXPECT_THAT(empty.err, HasSubstr(say::kHoldsNeither(folder())));
+}
+
+// a test that cannot be made is no finding about the plugin, and says why
+TEST_F(Validate, WhyOneTestIsNotMade) {
+  const Said strict = swage({"validate", stock("swage.object.needle"), "--only", "real_time"});
+  EXPECT_EQ(strict.code, 2) << strict.out << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr(say::kNeedsStrictness("real_time", 7)));
+  const Said kind = swage({"validate", stock("swage.lesson.look"), "--only", "traits"});
+  EXPECT_EQ(kind.code, 2) << kind.out << kind.err;
+  EXPECT_THAT(kind.out, HasSubstr(say::kNotOfItsKind("traits", "objects")));
+  EXPECT_THAT(kind.out, testing::Not(HasSubstr("NOT good")));
+  const Said json = swage({"validate", stock("swage.lesson.look"), "--only", "traits", "--json"});
+  EXPECT_EQ(json.json()[0]["reason"], say::kNotOfItsKind("traits", "objects"));
+}
+
+// what a failed build leaves behind
+TEST_F(Validate, ABundleWithoutALibrary) {
+  for (const char* file : {"org.example.empty/words.de.json", "made/plugin.json"}) {
+    const std::string bundle = path(std::filesystem::path(file).parent_path().string());
+    std::filesystem::create_directories(bundle);
+    write(file, "{}");
+    const Said said = swage({"validate", bundle});
+    EXPECT_EQ(said.code, 2) << said.out << said.err;
+    EXPECT_THAT(said.err, HasSubstr(say::kNoLibraryIn(bundle)));
+  }
 }
 
 TEST_F(Validate, LessonFilesToo) {
