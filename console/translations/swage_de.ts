@@ -5295,15 +5295,15 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Position right, without tips</source>
-        <translation>Ort richtig, ohne Spitzen</translation>
+        <translation>Ort gut, ohne Spitzen</translation>
     </message>
     <message>
         <source>Position right, tilted</source>
-        <translation>Ort richtig, schräg</translation>
+        <translation>Ort gut, schräg</translation>
     </message>
     <message>
         <source>Position right, with tips</source>
-        <translation>Ort richtig, mit Spitzen</translation>
+        <translation>Ort gut, mit Spitzen</translation>
     </message>
     <message>
         <source>Held</source>
