@@ -12,19 +12,7 @@ ChainTree::ChainTree(const scene::World& world, uint32_t shape) : chain_(world.s
   exclusion_ = std::numbers::pi * std::max(info.bend_radius, world.shape[shape].radius);
   piece_.resize(segments_);
   node_.reserve(2 * size_t{segments_});
-  build(0, segments_);
-}
-
-uint32_t ChainTree::build(uint32_t first, uint32_t count) {
-  const auto at = static_cast<uint32_t>(node_.size());
-  node_.emplace_back();
-  node_[at].first = first, node_[at].count = count;
-  if (count <= kLeaf) return at;
-  const uint32_t half = count / 2;
-  build(first, half);
-  const uint32_t right = build(first + half, count - half);
-  node_[at].right = right;
-  return at;
+  add_halves(node_, 0, segments_, kLeaf);
 }
 
 void ChainTree::refit(const scene::World& world) noexcept {

@@ -34,6 +34,20 @@ struct Box {
   }
 };
 
+/// Adds the binary tree of `count` parts of a chain from `first` on, halves of halves down to `leaf` parts. Returns its root. [main]
+template <class Node>
+uint32_t add_halves(std::vector<Node>& nodes, uint32_t first, uint32_t count, uint32_t leaf) {
+  const auto at = static_cast<uint32_t>(nodes.size());
+  nodes.emplace_back();
+  nodes[at].first = first, nodes[at].count = count;
+  if (count <= leaf) return at;
+  const uint32_t half = count / 2;
+  add_halves(nodes, first, half, leaf);
+  const uint32_t right = add_halves(nodes, first + half, count - half, leaf);
+  nodes[at].right = right;
+  return at;
+}
+
 class ChainTree {
  public:
   /// [main] `shape`: of kind CHAIN.
@@ -120,7 +134,6 @@ class ChainTree {
   /// Pieces per leaf. More: fewer boxes, more pairs tested in vain.
   static constexpr uint32_t kLeaf = 2;
 
-  uint32_t build(uint32_t first, uint32_t count);
   bool apart_along(uint32_t i, uint32_t j, double exclusion) const {
     return j > i + 1 && piece_[j].s1 - piece_[i].s0 >= exclusion;
   }

@@ -27,7 +27,7 @@ class ChainSpheres {
   /// [main] A tree for so many vertices.
   explicit ChainSpheres(uint32_t vertices) {
     node_.reserve(2 * size_t{vertices});
-    build(0, vertices);
+    add_halves(node_, 0, vertices, kLeaf);
   }
 
   /// Refits it to the vertices of a chain, itself refitted.
@@ -92,17 +92,6 @@ class ChainSpheres {
   /// Spheres per leaf, as SphereTreeLimits has.
   static constexpr uint32_t kLeaf = 4;
 
-  uint32_t build(uint32_t first, uint32_t count) {
-    const auto at = static_cast<uint32_t>(node_.size());
-    node_.emplace_back();
-    node_[at].first = first, node_[at].count = count;
-    if (count <= kLeaf) return at;
-    const uint32_t half = count / 2;
-    build(first, half);
-    const uint32_t right = build(first + half, count - half);
-    node_[at].right = right;
-    return at;
-  }
   template <class F>
   static void each(const ChainTree& chain, const Node& n, const F& f) {
     for (uint32_t i = n.first; i < n.first + n.count; ++i)

@@ -14,18 +14,6 @@ namespace {
 class InstructorPages : public WindowTest {
  protected:
   void SetUp() override { with_school = true; }
-  /// Runs `what` in the next modal dialog of that name.
-  template <class Do>
-  void in_dialog(const char* name, Do what) {
-    auto* look = new QTimer(window.get());
-    QObject::connect(look, &QTimer::timeout, look, [this, look, name, what] {
-      auto* dialog = window->findChild<QDialog*>(QString::fromLatin1(name));
-      if (!dialog || !dialog->isVisible()) return;
-      look->stop();
-      what(dialog);
-    });
-    look->start(10);
-  }
   void add_chen() {
     console::RosterLine line;
     line.name = QStringLiteral("Chen W.");

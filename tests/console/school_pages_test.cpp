@@ -24,18 +24,6 @@ namespace {
 class SchoolPages : public WindowTest {
  protected:
   void SetUp() override { with_school = true; }
-  /// Runs `Do` in the next modal dialog of that name.
-  template <class Do>
-  void in_dialog(const char* name, Do what) {
-    auto* look = new QTimer(window.get());
-    QObject::connect(look, &QTimer::timeout, look, [this, look, name, what] {
-      auto* dialog = window->findChild<QDialog*>(QString::fromLatin1(name));
-      if (!dialog || !dialog->isVisible()) return;
-      look->stop();
-      what(dialog);
-    });
-    look->start(10);
-  }
   /// Presses Ctrl and a key, once the window has the focus again.
   void press(Qt::Key key) {
     ASSERT_TRUE(eventually([&] {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <memory>
 
 #include "console/app/main_window.hpp"
@@ -92,6 +94,18 @@ class WindowTest : public testing::Test {
     W* found = window->findChild<W*>(QString::fromLatin1(name));
     EXPECT_NE(found, nullptr) << name;
     return found;
+  }
+  /// Runs `what` in the next modal dialog of that name.
+  template <class Do>
+  void in_dialog(const char* name, Do what) {
+    auto* look = new QTimer(window.get());
+    QObject::connect(look, &QTimer::timeout, look, [this, look, name, what] {
+      auto* dialog = window->findChild<QDialog*>(QString::fromLatin1(name));
+      if (!dialog || !dialog->isVisible()) return;
+      look->stop();
+      what(dialog);
+    });
+    look->start(10);
   }
   void click(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
   /// Waits for a condition, never for a fixed time: the limit only ends a failing test, and even a slow machine stays below it.
