@@ -35,7 +35,10 @@ void AttemptPresenter::add_view(SceneView* view) {
   views_ += view;
   connect(view, &SceneView::pointer, control_, &RunControl::pointer);
   connect(view, &SceneView::circle, this,
-          [this](const std::optional<NeedleCircle>& about) { hand_.turn_about(about, parts_.setup->mirrored()); });
+          [this](const std::optional<NeedleCircle>& about) {
+            const QString refused = hand_.turn_about(about, parts_.setup->mirrored());
+            if (!refused.isEmpty()) parts_.events->note(control_->newest() ? control_->newest()->time_s : 0, refused);
+          });
   connect(view, &SceneView::control_used, this, [this](const QString& what) {
     advice_.use(what);
     update_hints();

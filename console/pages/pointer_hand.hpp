@@ -3,13 +3,18 @@
 // The device of an attempt that is driven by the pointer, if that is the mouse. [main]
 #pragma once
 
+#include <QString>
 #include <optional>
+#include <string>
 
 #include "console/link/run_control.hpp"
 #include "console/view3d/needle_circle.hpp"
 #include "host/catalogue.hpp"
 
 namespace swage::console {
+
+/// The circle as the parameters of a pointer device, JSON. A zero axis without a circle.
+std::string circle_params(const std::optional<NeedleCircle>& circle);
 
 class PointerHand {
  public:
@@ -18,8 +23,9 @@ class PointerHand {
   /// True when the running or the last attempt has such a device.
   bool is_led() const;
   /// Sets the circle along which it rotates a needle; no value: no needle at its tips. Sent as a parameter change, so that it is recorded
-  /// and replayed. `mirrored_lesson`: the scene is displayed as the mirror image of the computed one.
-  void turn_about(const std::optional<NeedleCircle>& circle, bool mirrored_lesson);
+  /// and replayed. `mirrored_lesson`: the scene is displayed as the mirror image of the computed one. Returns why the device refused
+  /// it; empty where none did.
+  QString turn_about(const std::optional<NeedleCircle>& circle, bool mirrored_lesson);
 
  private:
   RunControl* control_;

@@ -22,10 +22,14 @@ inline NeedleCircle mirrored(const NeedleCircle& c) {
   return {{-c.centre.x(), c.centre.y(), c.centre.z()}, {c.axis.x(), -c.axis.y(), -c.axis.z()}, c.radius};
 }
 
+/// How far behind the tips a needle may be held, mm: jaws are 4 to 6 mm long, and one that is held deep must be driven as well. With
+/// 1 mm a needle held in the middle of the jaws did not move, and nothing said why.
+inline constexpr float kHeldReach_mm = 3;
+
 /// The circle through point, middle and swage of the bent wire nearest to `tips` (mm, world), in its present pose. No value
 /// where no wire is within `reach` mm, or it is straight.
 std::optional<NeedleCircle> needle_circle(const snapshot::SceneCard& card, const SceneParts& parts,
                                           std::span<const swage_pose> X_WB, const QVector3D& tips,
-                                          float reach = 1);
+                                          float reach = kHeldReach_mm);
 
 }  // namespace swage::console

@@ -27,6 +27,7 @@ SceneInput::SceneInput(QWidget* widget, const SceneState& scene, ViewPoint& poin
 void SceneInput::set_instrument(bool on) {
   if (instrument_ == on) return;
   instrument_ = on;
+  drives_ = nothing_to_drive_ = false;  // a key that is down when an attempt ends is released unseen
   turned_view_ = false;
   input_ = PointerInput();
   panels_.hold({});
@@ -48,6 +49,7 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   if (hints_.drag) all += tr("Drag, wheel: move the instrument; keys A D: sideways, W S: up and down, Q E: away and near");
   if (hints_.close) all += tr("Hold Space: close the jaws, B: open them");
   if (hints_.open) all += tr("Hold B: open the jaws");
+  if (nothing_to_drive_) all += tr("No bent needle is at the tips that could be driven");
   if (hints_.drive) all += tr("Hold T: drive the needle");
   return all.join(QString::fromUtf16(kHintGap));
 }
@@ -83,9 +85,14 @@ swage_pointer SceneInput::moved(const QPointF& from, const QPointF& to) {
 // the needle's circle is fixed when a drive begins
 void SceneInput::tell_circle(const swage_pointer& input) {
   const bool drives = PointerInput::drives(input);
-  if (std::exchange(drives_, drives) || !drives || !scene_.have_snapshot()) return;
-  used("drive");
-  Q_EMIT circle(needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips()));
+  const bool drove = std::exchange(drives_, drives);
+  if (!drives && std::exchange(nothing_to_drive_, false)) Q_EMIT words_changed();
+  if (drove || !drives || !scene_.have_snapshot()) return;
+  const std::optional<NeedleCircle> about = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips());
+  nothing_to_drive_ = !about;
+  if (about) used("drive");
+  else Q_EMIT words_changed();
+  Q_EMIT circle(about);
 }
 
 bool SceneInput::moves_camera(const QMouseEvent& event) const {
@@ -239,7 +246,7 @@ bool SceneInput::key_up(QKeyEvent* event) {
 void SceneInput::focus_lost() {
   // a key released in another window must not keep the jaws closing
   if (instrument_) Q_EMIT pointer(input_.released());
-  drives_ = false;
+  drives_ = nothing_to_drive_ = false;
   panels_.hold({});
 }
 

@@ -79,6 +79,7 @@ class SceneInput : public QObject {
   QPointF last_mouse_;
   bool instrument_ = false;
   bool drives_ = false;       // along the needle's circle
+  bool nothing_to_drive_ = false;  // a driving key is down and no circle is at the tips
   bool turned_view_ = false;  // a drag turned the view while no attempt was running
   ControlHints hints_;
 };

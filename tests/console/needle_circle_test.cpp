@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include "console/pages/pointer_hand.hpp"
 
 namespace swage::console {
 namespace {
@@ -40,7 +44,8 @@ TEST(NeedleCircle, IsThatOfTheWireAtTheTipsWhereItIsNow) {
   EXPECT_NEAR(circle->radius, 3, 1e-4);
   // the arc runs from its point at +x over +z: the point leads in the opposite rotation, which is about +y
   EXPECT_NEAR((circle->axis - QVector3D(0, 1, 0)).length(), 0, 1e-4);
-  EXPECT_FALSE(needle_circle(card, parts, X_WB, {1, 2, 5})) << "2 mm from the tips is not held";
+  EXPECT_TRUE(needle_circle(card, parts, X_WB, {1, 2, 5})) << "held 2 mm behind the tips";
+  EXPECT_FALSE(needle_circle(card, parts, X_WB, {1, 2, 6.5F})) << "3.5 mm from the tips is not held";
 }
 
 TEST(NeedleCircle, AStraightWireHasNone) {
@@ -57,6 +62,15 @@ TEST(NeedleCircle, ItsMirrorImageGoesPointFirstToo) {
   const QVector3D way_image = QVector3D::crossProduct(image.axis, QVector3D(-3, 0, 0));
   EXPECT_EQ(way_image, QVector3D(-way.x(), way.y(), way.z()));
   EXPECT_EQ(image.centre, QVector3D(-1, 2, 3));
+}
+
+// A component above 1 would be refused, and a needle that stands upright could not be driven.
+TEST(NeedleCircle, ItsAxisIsWithinTheRangeOfAParameterWhateverTheRounding) {
+  const float above = std::nextafter(1.0F, 2.0F);
+  const auto params = nlohmann::json::parse(circle_params(NeedleCircle{{1, 2, 3}, {0, -above, 0}, 3}));
+  EXPECT_EQ(params["circle_axis"], nlohmann::json({0.0, -1.0, 0.0}));
+  EXPECT_NEAR(params["circle_centre"][2].get<double>(), 3e-3, 1e-9) << "m";
+  EXPECT_EQ(nlohmann::json::parse(circle_params({}))["circle_axis"], nlohmann::json({0.0, 0.0, 0.0})) << "no needle";
 }
 
 }  // namespace
