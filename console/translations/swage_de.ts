@@ -4319,8 +4319,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Läuft…</translation>
     </message>
     <message>
-        <source>Cues are shown. Limits of force and time are told and end nothing; a recorded hand is judged as in a test.</source>
-        <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
+        <source>Cues are shown. Limits are told and end nothing; a recorded hand is judged as in a test.</source>
+        <translation>Hinweise werden gezeigt. Grenzen werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
     </message>
     <message>
         <source>Cues and readings are hidden, and limits end the attempt. A recorded hand&apos;s attempt counts for nobody.</source>

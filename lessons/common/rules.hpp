@@ -17,7 +17,7 @@ void set_common_rules(const Params& params, bool practice, Rules& rules) {
   if constexpr (requires { rules.max_drops; }) rules.max_drops = params.max_drops;
   if constexpr (requires { rules.drop_distance; }) rules.drop_distance = params.drop_distance;
   if constexpr (requires { rules.lost_distance; }) rules.lost_distance = params.lost_distance;
-  rules.ends = !practice;  // limits end no attempt in practice
+  rules.ends = !practice;  // no limit ends an attempt in practice: what is lost can be put back; what cannot (a broken thread) ends it
 }
 
 }  // namespace swage::lessons

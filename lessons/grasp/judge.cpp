@@ -60,7 +60,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
 
 void Judge::begin(Memory& memory, const Look& look) const noexcept {
   memory.begun = 1;
-  Eigen::Map<Vec3>(memory.start) = look.needle_W;
+  Eigen::Map<Vec3>(memory.start) = Eigen::Map<Vec3>(memory.taken) = look.needle_W;
   DropWatch::rest(memory.drop, look.needle_W);
 }
 
@@ -83,6 +83,7 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
   }
   if (look.taken) {
     memory.engaged = 1;
+    Eigen::Map<Vec3>(memory.taken) = look.needle_W;
     if (memory.good_grasps > 0) memory.regrasps += 1;
     memory.grasps += 1;
     memory.spot_error_sum += spot_error(look.s);
@@ -130,8 +131,8 @@ void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) cons
 }
 
 bool Judge::grasped_well(const Memory& memory, const Look& look, const Finding& finding) const noexcept {
-  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
-  const bool lifted = rules_.lift <= 0 || (look.needle_W - start).norm() >= rules_.lift;
+  const Vec3 taken = Eigen::Map<const Vec3>(memory.taken);
+  const bool lifted = rules_.lift <= 0 || (look.needle_W - taken).norm() >= rules_.lift;
   const bool measured = look.force >= rules_.force_low && !finding.too_hard;
   const bool tips = in_tips(look.tip_reach) || !rules_.tips_needed;
   return look.held && in_region(look.s) && tips && square(memory, look) && lifted && measured;
@@ -186,15 +187,15 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (memory.hold_s >= rules_.hold_time)
     finding.end = End::kPassed;
-  else if (memory.drops > rules_.max_drops)
+  else if (rules_.ends && memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (rules_.ends && memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;
   else if (rules_.ends && rules_.max_wrong_time > 0 && memory.wrong_s > rules_.max_wrong_time)
     finding.end = End::kWrongGrasp;
-  else if (rules_.target.carry && rules_.target.leave == Leave::kFail && finding.hold_broke)
+  else if (rules_.ends && rules_.target.carry && rules_.target.leave == Leave::kFail && finding.hold_broke)
     finding.end = End::kLeftTarget;
-  else if (!look.held && (look.needle_W - start).norm() > rules_.lost_distance)
+  else if (rules_.ends && !look.held && (look.needle_W - start).norm() > rules_.lost_distance)
     finding.end = End::kLost;
   else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;

@@ -38,7 +38,7 @@ struct Rules {
   int max_drops = 2;
   double drop_distance = 2e-3;   // m
   double max_wrong_time = 20;    // s, 0: no limit
-  bool ends = true;              // limits of force and time end the attempt
+  bool ends = true;              // limits end the attempt: of force, time, drops and reach
   double lost_distance = 30e-3;  // m
   TargetRules target;
 };
@@ -67,6 +67,7 @@ struct Memory {
   GripState grip;
   double begun = 0;             // 0 or 1
   double start[3] = {0, 0, 0};  // m, where the needle lay
+  double taken[3] = {0, 0, 0};  // m, where it was when it was grasped: open jaws may have pushed it there
   double tries = 0, grasps = 0, good_grasps = 0, regrasps = 0, drops = 0;
   double spot_error_sum = 0;                                   // along the needle, 0..1
   double reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;  // integrals over the held time

@@ -195,18 +195,20 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
                                                  : memory.through != 0 && memory.retaken != 0 &&
                                                        SutureWatch::done(rules_.suture, memory.suture);
+  const double widest = std::max({wound(look), memory.worst_wound, memory.far.worst_wound});
   if (done)
     finding.end = memory.missed != 0                               ? End::kMissed
+                  : widest > rules_.max_wound                      ? End::kTorn
                   : FarEdge::uneven(rules_.far, memory.far)        ? End::kStep
                   : in_angle_share(memory) < rules_.least_in_angle ? End::kOffAngle
                                                                    : End::kPassed;
-  else if (wound(look) > rules_.max_wound)
+  else if (rules_.ends && wound(look) > rules_.max_wound)
     finding.end = End::kTorn;
-  else if (memory.drops > rules_.max_drops)
+  else if (rules_.ends && memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
-  else if (memory.deflections > rules_.max_deflections)
+  else if (rules_.ends && memory.deflections > rules_.max_deflections)
     finding.end = End::kDeflected;
-  else if (!look.held && !inside(look) && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
+  else if (rules_.ends && !look.held && !inside(look) && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
     finding.end = End::kLost;
   else if (memory.suture.off != 0)
     finding.end = End::kPulledOff;

@@ -46,7 +46,7 @@ struct Rules {
   double lost_distance = 30e-3;  // m, from the mark
   int stitches = 1;             // required number
   bool exit_mark = false;       // there is a mark of the exit
-  bool ends = true;             // the time limit ends the attempt
+  bool ends = true;             // limits end the attempt: of time, wound, drops, punctures and reach
   double region_low = 0, region_high = 0;  // where the needle should be held, 0 point .. 1 swage; both 0: anywhere
   double tip_low = 0, tip_high = 0.3e-3;   // m, required tip overhang past the needle
   SutureRules suture;

@@ -121,7 +121,7 @@ End Judge::end(const Memory& memory, const Look& look) const noexcept {
   if (look.parted > 0) return End::kBroken;
   if (!look.through) return End::kDrawnOut;
   if (memory.cut > rules_.most_cut) return End::kCut;
-  if (memory.drops > rules_.max_drops) return End::kDropped;
+  if (rules_.ends && memory.drops > rules_.max_drops) return End::kDropped;
   if (rules_.ends && memory.over_s > rules_.max_over_time) return End::kTooHard;
   if (rules_.ends && memory.wrong_s >= rules_.wrong_time) return End::kWrong;
   return rules_.ends && look.time_s >= rules_.max_time ? End::kOutOfTime : End::kRunning;

@@ -41,7 +41,7 @@ struct Rules {
   double slack = 5e-3;                      // N, below it a long end is laid down. The bent thread of a knot keeps some mN, a drawn one has 15 and springs
   double retake_time = 15;                  // s, until it is to be held again: the hands take 4 to 7. Shorter, a student who looks for it has dropped it
   int max_drops = 2;
-  bool ends = true;  // limits of force and time end the attempt
+  bool ends = true;  // limits end the attempt: of force, time, drops and wrong throws
 };
 
 /// Observations of one step.

@@ -68,7 +68,7 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
     finding.end = End::kPassed;
   else if (look.parted > 0)
     finding.end = End::kBroken;
-  else if (memory.drops > rules_.max_drops)
+  else if (rules_.ends && memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (rules_.ends && memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;

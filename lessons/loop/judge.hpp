@@ -25,7 +25,7 @@ struct Rules {
   double max_time = 120;                    // s
   double max_over_time = 2;                 // s
   int max_drops = 2;
-  bool ends = true;  // limits of force and time end the attempt
+  bool ends = true;  // limits end the attempt: of force, time and drops
 };
 
 /// Observations of one step.

@@ -107,11 +107,11 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (memory.hold_s >= rules_.hold_time)
     finding.end = End::kPassed;
-  else if (memory.drops > rules_.max_drops)
+  else if (rules_.ends && memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (rules_.ends && memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;
-  else if (!finding.held && (look.needle_W - start).norm() > rules_.lost_distance)
+  else if (rules_.ends && !finding.held && (look.needle_W - start).norm() > rules_.lost_distance)
     finding.end = End::kLost;
   else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;

@@ -28,7 +28,7 @@ struct Rules {
   double max_over_time = 2;  // s
   int max_drops = 2;
   double drop_distance = 2e-3, lost_distance = 30e-3;  // m
-  bool ends = true;                                    // limits of force and time end the attempt
+  bool ends = true;                                    // limits end the attempt: of force, time, drops and reach
 };
 
 /// Observations of one step.

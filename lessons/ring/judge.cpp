@@ -119,11 +119,11 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
     finding.end = End::kPassed;
   else if (rules_.ends && memory.touches > rules_.max_touches)
     finding.end = End::kTouched;
-  else if (memory.drops > rules_.max_drops)
+  else if (rules_.ends && memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (rules_.ends && memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;
-  else if (!look.held && (look.ring_W - start).norm() > rules_.lost_distance)
+  else if (rules_.ends && !look.held && (look.ring_W - start).norm() > rules_.lost_distance)
     finding.end = End::kLost;
   else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;

@@ -33,7 +33,7 @@ struct Rules {
   int max_drops = 2;
   double drop_distance = 2e-3;   // m
   double lost_distance = 30e-3;  // m
-  bool ends = true;              // limits of force, time and touches end the attempt
+  bool ends = true;              // limits end the attempt: of force, time, touches, drops and reach
 };
 
 /// Nearest place of a wire or post to the ring's centre.

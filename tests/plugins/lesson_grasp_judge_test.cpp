@@ -114,6 +114,16 @@ TEST(Judge, ANeedleOutOfReachEndsItAndOneThatIsBroughtBackCounts) {
   EXPECT_EQ(a.go().end, End::kLost);
 }
 
+TEST(Judge, InPracticeANeedleOutOfReachEndsNothing) {
+  Rules practice;
+  practice.ends = false;
+  Attempt a(practice);
+  a.go(10);
+  a.now.needle_W = {0, 0, -31e-3};
+  EXPECT_TRUE(a.go().dropped);
+  EXPECT_EQ(a.go(10).end, End::kRunning) << "it can be put back";
+}
+
 /// Held well, at a distance from the target.
 struct Carried : Attempt {
   explicit Carried(Leave leave) : Attempt(rules(leave)) {
@@ -203,6 +213,21 @@ TEST(Judge, AHoldNeedsForceTipsAndLift) {
   const Finding f = a.go();
   EXPECT_TRUE(f.too_hard);
   EXPECT_EQ(f.stage, Stage::kGrasp) << "too hard";
+}
+
+// Open jaws that push a thread aside do not lift it.
+TEST(Judge, TheLiftCountsFromWhereItWasGrasped) {
+  Rules rules;
+  rules.lift = 1e-3;
+  Attempt a(rules);
+  a.go();
+  a.now.needle_W = Vec3(0, 0.9e-3, 0);
+  a.go();
+  EXPECT_EQ(a.take(0.6, 1e-3, 0.6).stage, Stage::kGrasp);
+  a.now.needle_W = Vec3(0, 1.2e-3, 0);
+  EXPECT_EQ(a.go().stage, Stage::kGrasp) << "lifted by 0.3 mm, though 1.2 mm from its start";
+  a.now.needle_W = Vec3(0, 0.9e-3, 1.1e-3);
+  EXPECT_EQ(a.go().stage, Stage::kHold);
 }
 
 TEST(Judge, BendingTheNeedleCostsPoints) {

@@ -159,6 +159,35 @@ TEST(InsertionJudge, EachWayToFail) {
   EXPECT_EQ(Attempt(rules).go(100).end, End::kOutOfTime);
 }
 
+// In practice the same is told and the attempt goes on; a needle that was driven in through a wound beyond the limit has not passed.
+TEST(InsertionJudge, InPracticeNoLimitEndsIt) {
+  Rules practice;
+  practice.ends = false;
+  Attempt torn(practice);
+  torn.hold();
+  torn.enter();
+  torn.now.wound = 7;
+  Finding f = torn.go();
+  EXPECT_EQ(f.end, End::kRunning);
+  EXPECT_TRUE(f.torn);
+  EXPECT_EQ(torn.drive(0.36, 20, 0).end, End::kTorn);
+
+  Attempt far(practice);
+  far.now.needle_W = Vec3(20e-3, 0, -30e-3);
+  EXPECT_EQ(far.go().end, End::kRunning) << "it can be put back";
+
+  Attempt dropped(practice);
+  for (int i = 0; i < 3; ++i) {
+    dropped.hold();
+    dropped.now.needle_W = Vec3(0, 0, 10e-3);
+    dropped.go();
+    dropped.now.held = false;
+    dropped.now.needle_W = Vec3(0, 0, 5e-3);
+    f = dropped.go();
+  }
+  EXPECT_EQ(f.end, End::kRunning);
+}
+
 TEST(InsertionJudge, WhatNobodyCanReachIsLost) {
   Attempt held;
   held.hold();

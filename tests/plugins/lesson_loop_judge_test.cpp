@@ -125,15 +125,19 @@ TEST(LoopJudge, WhatEndsAnAttempt) {
   const Finding end = passage.go(1);
   EXPECT_EQ(end.end, End::kPassage) << "and is never passed";
   EXPECT_LE(end.score, 40);
-  Attempt lost;
-  for (int i = 0; i < 3; ++i) {
-    lost.hold();
-    lost.go(100);
-    lost.hold(0);
-    lost.go(100);
+  for (const bool ends : {true, false}) {
+    Rules rules;
+    rules.ends = ends;
+    Attempt lost(rules);
+    for (int i = 0; i < 3; ++i) {
+      lost.hold();
+      lost.go(100);
+      lost.hold(0);
+      lost.go(100);
+    }
+    EXPECT_EQ(lost.memory.drops, 3);
+    EXPECT_EQ(lost.go(1).end, ends ? End::kDropped : End::kRunning);
   }
-  EXPECT_EQ(lost.memory.drops, 3);
-  EXPECT_EQ(lost.go(1).end, End::kDropped);
 }
 
 TEST(LoopJudge, GrippingTooHardEndsATestAndNotPractice) {
