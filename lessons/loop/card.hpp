@@ -66,8 +66,8 @@ static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measur
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskTimeLabel,
     lessons::kTaskSuccessLabel,
-    lessons::label("loop.turns", "Turns about the instrument", SWAGE_SHOW_QUANTITY, 2),
-    lessons::label("loop.most_turns", "Turns, most"),
+    lessons::label("loop.turns", "Turns at the end, signed"),
+    lessons::label("loop.most_turns", "Turns about the instrument, a whole one from 0.75", SWAGE_SHOW_QUANTITY, 2),
     lessons::label("loop.slips", "Turns that slid off", SWAGE_SHOW_COUNT, 3),
     lessons::label("loop.place", "Distance of the turns behind the tips"),
     lessons::label("tissue.pull_peak", "Pull on the tissue, peak", SWAGE_SHOW_QUANTITY, 4, nullptr, "tension"),
