@@ -24,8 +24,8 @@ export ASAN_OPTIONS=${ASAN_OPTIONS:-use_sigaltstack=0}
 export TSAN_OPTIONS=${TSAN_OPTIONS:-handle_segv=0:handle_abort=0:die_after_fork=0}
 export LSAN_OPTIONS=${LSAN_OPTIONS:-suppressions=$PWD/scripts/leaks_of_others.txt:print_suppressions=0}
 export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=1
-# timing-sensitive tests are few and serial; the rest shares the cores, in halves (PROCESSORS in SwageRooms.cmake)
-ctest --test-dir "build/$preset" -LE soak -j "$((2 * $(nproc)))" --output-on-failure "$@"
+# timing-sensitive tests are few and serial; the rest shares the cores, in thirds (PROCESSORS in SwageRooms.cmake)
+ctest --test-dir "build/$preset" -LE soak -j "$((3 * $(nproc)))" --output-on-failure "$@"
 
 if [ "$preset" = test ] && [ $# -eq 0 ]; then
   scripts/build.sh debug0 determinism_at_O0

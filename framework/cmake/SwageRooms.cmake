@@ -53,6 +53,14 @@ function(swage_batches target)
   endif()
 endfunction()
 
+# swage_not_stepping(<target>): rooms that take no part in a step, where the optimiser takes half of a whole build; -O1 in batches, as
+# shipped (-O2) in every other preset
+function(swage_not_stepping target)
+  if(SWAGE_BATCHES AND CMAKE_BUILD_TYPE STREQUAL RelWithDebInfo)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # swage_room(<name> [SOURCES ...] [LINKS ...])  ->  target swage_<name>, sources relative to the room's folder
 function(swage_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
@@ -69,7 +77,7 @@ function(swage_room name)
 endfunction()
 
 # swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n] [WAITS])  ->  CTest entry <name>
-# WAITS: it sleeps more than it works, as a driver's test does; two of them share a core
+# WAITS: it sleeps more than it works, as a driver's test does; three of them share a core
 # SHARDS: its tests run in n processes at once; for tests that mostly wait, or that are long and many
 function(swage_test name)
   cmake_parse_arguments(TEST "WAITS" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
@@ -95,8 +103,8 @@ function(swage_test name)
   if(SWAGE_SANITIZE) # up to ten times as slow
     math(EXPR TEST_TIMEOUT "10 * ${TEST_TIMEOUT}")
   endif()
-  # in halves of a core: scripts/test.sh gives two for each core
-  set(processors 2)
+  # in thirds of a core: scripts/test.sh gives three for each core
+  set(processors 3)
   if(TEST_WAITS)
     set(processors 1)
   endif()
