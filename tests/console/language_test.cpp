@@ -310,7 +310,7 @@ TEST(Words, AnEventIsCalledAsItsPluginSays) {
 TEST(GermanWords, NameThePartsOfALesson) {
   QTemporaryDir dir;
   const QString bundle = dir.filePath(QStringLiteral("org.example.clip")), file = dir.filePath(QStringLiteral("lesson/clip.json"));
-  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange")"));
+  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange", "Shuts a vessel.": "Verschließt ein Gefäß.")"));
   put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Clip", "devices": [],
                  "objects": [ { "name": "left_clip", "plugin": "org.example.clip" } ], "lesson": { "plugin": "x.lesson" } })");
   put(dir.filePath(QStringLiteral("lesson/words.de.json")), german_words(R"("left_clip": "Linke Klemme")"));
@@ -318,7 +318,7 @@ TEST(GermanWords, NameThePartsOfALesson) {
   nothing.use_environment = false;
   host::Catalogue catalogue(nothing);
   host::PluginInfo clip, applier;
-  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.bundle_dir = bundle.toStdString();
+  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.summary = "Shuts a vessel.", clip.bundle_dir = bundle.toStdString();
   applier.kind = SWAGE_KIND_DEVICE, applier.id = "org.example.applier", applier.name = "Clip applier", applier.bundle_dir = clip.bundle_dir;
   catalogue.add(clip);
   catalogue.add(applier);
@@ -331,6 +331,7 @@ TEST(GermanWords, NameThePartsOfALesson) {
   const auto* plugin = add.findChild<QComboBox*>("part_plugin");
   EXPECT_GE(plugin->findText("Gefäßklemme"), 0);
   EXPECT_EQ(plugin->findText("Vessel clip"), -1);
+  EXPECT_EQ(plugin->itemData(plugin->findText("Gefäßklemme"), Qt::ToolTipRole).toString(), "Verschließt ein Gefäß.");
   console::SetupPage setup;
   setup.set_devices({&applier});
   EXPECT_GE(setup.findChild<QComboBox*>("binding_pose")->findText("Anlegezange"), 0);
