@@ -17,8 +17,10 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTableView>
+#include <QTextBrowser>
 #include <QXmlStreamReader>
 
+#include "console/app/help_dialog.hpp"
 #include "console/cues/theme_words.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
@@ -336,6 +338,18 @@ TEST(GermanWords, NameThePartsOfALesson) {
   setup.set_devices({&applier});
   EXPECT_GE(setup.findChild<QComboBox*>("binding_pose")->findText("Anlegezange"), 0);
   console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
+
+// Help shows the handbooks in the language of the window
+TEST(GermanWords, AreThoseOfTheHandbooksInHelp) {
+  for (const auto& [language, title] : {std::pair{"de", "Handbuch für Übende"}, std::pair{"en", "The trainee's handbook"}}) {
+    ASSERT_TRUE(console::use_language(QString::fromLatin1(language)));
+    const console::HelpDialog help(console::CueTheme::stock("safe"), nullptr);
+    const auto* page = help.findChild<QTextBrowser*>("handbook_trainee");
+    ASSERT_NE(page, nullptr);
+    EXPECT_TRUE(page->toPlainText().startsWith(QString::fromUtf8(title))) << page->toPlainText().left(60).toStdString();
+  }
   QLocale::setDefault(QLocale::c());
 }
 
