@@ -11,6 +11,7 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -168,13 +169,14 @@ void HelpDialog::add_tab(QWidget* page, const QString& title) {
     if (label->property("wraps").toBool()) label->setWordWrap(true);
 }
 
-// scrolls by itself, and asks for no room
+// in the language of the window, else in English; scrolls by itself, and asks for no room
 void HelpDialog::add_handbook(const char* name, const QString& title) {
   auto* text = new QTextBrowser(tabs_);
   text->setObjectName(QStringLiteral("handbook_%1").arg(QLatin1String(name)));
   text->setAccessibleName(title);
   text->setFrameShape(QFrame::NoFrame);
-  QFile file(QStringLiteral(":/handbook/%1.md").arg(QLatin1String(name)));
+  const QString in_language = QStringLiteral(":/handbook/%1.%2.md").arg(QLatin1String(name), words_language());
+  QFile file(QFile::exists(in_language) ? in_language : QStringLiteral(":/handbook/%1.md").arg(QLatin1String(name)));
   if (file.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(file.readAll()));
   text->document()->setDocumentMargin(14);  // px, so that words keep clear of the frame
   tabs_->addTab(text, title);

@@ -66,7 +66,7 @@ void add_moments(const record::Recording& r, const std::vector<record::EventRow>
     if (!m.by_person) m.id = qt(e.id);
     m.as_kept = e.owner == "gap" ? QStringLiteral("not_recorded") : qt(e.id);
     m.by_lesson = e.owner == "lesson";
-    m.technical = e.owner == "gap" || (e.owner == judge::kHostOwner && (e.id == "host.gap" || e.id == "host.solver"));
+    m.technical = e.owner == "gap" || (e.owner == judge::kHostOwner && (e.id == "host.gap" || e.id == "host.solver" || e.id == "host.not_drawn"));
     m.what = m.by_person ? (e.id.empty() ? QObject::tr("Mark") : qt(e.id)) : said_id(e.id);
     if (e.owner == "gap") m.what = QObject::tr("Not recorded");
     for (const judge::Name& name : r.info.script.events) {

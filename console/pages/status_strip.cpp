@@ -74,7 +74,7 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
                               double steps_per_s, bool recording) {
   const snapshot::LoopHealth& h = s.health;
   const bool on_time = h.late == 0 && h.dropped == 0;
-  const bool fine = on_time && h.quarantined == 0 && h.solver.steps == 0;
+  const bool fine = on_time && h.quarantined == 0 && h.solver.steps == 0 && h.visuals.faulty == 0;
   QString loop = tr("%1  %2 steps/s, worst %L3 ms, %4 late")
                      .arg(fine ? QStringLiteral("●") : QStringLiteral("▲"))
                      .arg(steps_per_s, 0, 'f', 0)
@@ -82,6 +82,7 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
                      .arg(h.late);
   if (h.solver.steps == 1) loop += tr(", solver short in 1 step");
   if (h.solver.steps > 1) loop += tr(", solver short in %1 steps").arg(h.solver.steps);
+  if (h.visuals.faulty > 0) loop += tr(", not everything is drawn");
   loop_->setText(loop);
   QStringList hints;
   if (h.quarantined) hints += tr("%1 of the lesson's parts stopped.").arg(h.quarantined);
@@ -90,6 +91,13 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
     hints += tr("The solver fell short in %1 steps: %2.")
                  .arg(h.solver.steps)
                  .arg(QString::fromStdString(base::text(h.solver)));
+  if (h.visuals.faulty > 0)
+    hints += tr("What is drawn on %1 was left out %2 times; first for its primitive %3 (%4), member %5.")
+                 .arg(h.visuals.object < card.objects.size() ? said_id(card.objects[h.visuals.object].name) : QString())
+                 .arg(h.visuals.faulty)
+                 .arg(h.visuals.index)
+                 .arg(QLatin1String(base::visual_kind(h.visuals.kind)), QLatin1String(base::visual_member(h.visuals.member)));
+  if (h.visuals.cut > 0) hints += tr("Of what is drawn the end was left out %1 times, for lack of room.").arg(h.visuals.cut);
   loop_->setToolTip(hints.isEmpty() ? tr("The force loop is on time.") : hints.join(QLatin1Char('\n')));
   QStringList devices;
   for (uint32_t i = 0; i < s.n_device && i < card.devices.size(); ++i) {

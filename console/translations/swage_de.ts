@@ -2261,11 +2261,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Trainee&apos;s handbook</source>
-        <translation>Handbuch für Übende (englisch)</translation>
+        <translation>Handbuch für Übende</translation>
     </message>
     <message>
         <source>Instructor&apos;s handbook</source>
-        <translation>Handbuch für Lehrende (englisch)</translation>
+        <translation>Handbuch für Lehrende</translation>
     </message>
 </context>
 <context>
@@ -4767,6 +4767,18 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>, hand to picture p50 %1 ms, p99 %2 ms</source>
         <translation>, Hand bis Bild p50 %1 ms, p99 %2 ms</translation>
+    </message>
+    <message>
+        <source>, not everything is drawn</source>
+        <translation>, nicht alles gezeichnet</translation>
+    </message>
+    <message>
+        <source>What is drawn on %1 was left out %2 times; first for its primitive %3 (%4), member %5.</source>
+        <translation>Was auf %1 gezeichnet wird, wurde %2-mal weggelassen; zuerst wegen des Elements %3 (%4), Angabe %5.</translation>
+    </message>
+    <message>
+        <source>Of what is drawn the end was left out %1 times, for lack of room.</source>
+        <translation>Vom Gezeichneten wurde %1-mal das Ende weggelassen, weil der Platz fehlte.</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,7 @@ std::string_view without_value(std::string_view doc) { return doc.substr(0, doc.
 std::vector<std::string> words_of(const PluginInfo& plugin) {
   List list;
   list.add(plugin.name);
+  if (plugin.kind != SWAGE_KIND_LESSON) list.add(plugin.summary);  // a tip where parts of a lesson are chosen
   for (const Param& p : plugin.params) {
     if (p.hidden() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
     list.add(p.label.empty() ? p.id : p.label);

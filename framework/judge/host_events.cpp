@@ -19,6 +19,7 @@ uint32_t declare_host_events(Script& script) {
   script.events.push_back(
       {kHostOwner, "host.hand_lost", "1", "a hand was lost: its tool holds, and the lesson waits for it"});
   script.events.push_back({kHostOwner, "host.hand_back", "s", "a lost hand is back, and goes on from where its tool stands"});
+  script.events.push_back({kHostOwner, "host.not_drawn", "1", "what a plugin draws was left out for the first time: a part of it makes no sense"});
   return first;
 }
 

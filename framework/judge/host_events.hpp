@@ -22,6 +22,8 @@ enum HostEvent : uint32_t {
   kSolverFellShort,      // "host.solver"; value: step; the counts are in the health of the loop
   kHandLost,             // "host.hand_lost"; value: index of the device
   kHandBack,             // "host.hand_back"; value: s for which the lesson waited
+  kNotDrawn,             // "host.not_drawn"; value: ordinal of the instance whose primitives were left out; the rest is in the
+                         // health of the loop
   kHostEventCount
 };
 

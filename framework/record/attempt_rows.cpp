@@ -104,6 +104,9 @@ std::vector<judge::Name> names_from(const json& list) {
   return out;
 }
 
+// index of the coupling that draws, null where the object does
+json coupling_json(const base::DrawingHealth& h) { return h.coupling == base::kNoCoupling ? json(nullptr) : json(h.coupling); }
+
 std::string health_json(const snapshot::LoopHealth& h, double forces_off_s) {
   json out = {{"executed", h.executed},
               {"late", h.late},
@@ -117,6 +120,10 @@ std::string health_json(const snapshot::LoopHealth& h, double forces_off_s) {
               {"forces_off_s", forces_off_s}};
   for (const auto& field : base::kSolverHealthFields) out["solver"][field.id] = h.solver.*field.count;
   out["solver"]["steps"] = h.solver.steps;
+  for (const auto& field : base::kDrawingHealthFields) out["visuals"][field.id] = h.visuals.*field.count;
+  if (h.visuals.faulty > 0)
+    out["visuals"]["first"] = {{"object", h.visuals.object}, {"coupling", coupling_json(h.visuals)}, {"index", h.visuals.index},
+                               {"kind", h.visuals.kind}, {"member", base::visual_member(h.visuals.member)}};
   out["phase_s"] = json::array();
   for (const double s : h.phase_s) out["phase_s"].push_back(s);
   return out.dump();

@@ -51,8 +51,9 @@ std::vector<Health> health_of(const std::string& loop_health, int64_t steps_not_
   add("steps.worst", "s", h, "worst_step_s");
   add("forces_off", "s", h, "forces_off_s");
   out.push_back({"steps.not_recorded", "1", static_cast<double>(steps_not_recorded)});
-  if (!h.is_object() || !h.contains("solver")) return out;
-  for (const auto& field : base::kSolverHealthFields) add(std::string("solver.") + field.id, "1", h["solver"], field.id);
+  if (!h.is_object()) return out;
+  for (const auto& field : base::kSolverHealthFields) add(std::string("solver.") + field.id, "1", h.value("solver", json()), field.id);
+  for (const auto& field : base::kDrawingHealthFields) add(std::string("visuals.") + field.id, "1", h.value("visuals", json()), field.id);
   return out;
 }
 

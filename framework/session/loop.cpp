@@ -88,6 +88,7 @@ void Loop::listen(const RtThread::Tick& tick) noexcept {
   step::Command command;
   for (int i = 0; i < kCommandsPerStep && command_in_.try_pop(command); ++i) take_command(command);
   if (tick.lost > 0) tell(judge::kTimeLost, static_cast<double>(tick.lost));
+  tell_not_drawn();
   bool forceless = false;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     const ForceFault fault = ports_[i]->fault();
@@ -106,6 +107,14 @@ void Loop::tell(judge::HostEvent event, double value) noexcept {
   command.object = event;
   command.number[0] = value;
   take_command(command);
+}
+
+// tells once that what a plugin draws is left out
+void Loop::tell_not_drawn() noexcept {
+  const base::DrawingHealth& visuals = out_->health.visuals;
+  if (visuals.faulty == 0 || std::exchange(told_not_drawn_, true)) return;
+  const std::size_t coupling = rig_.objects.size() + visuals.coupling;
+  tell(judge::kNotDrawn, static_cast<double>(visuals.coupling == base::kNoCoupling ? visuals.object : coupling));
 }
 
 // A hand without valid samples holds in the step; after half a second the lesson waits for it.

@@ -71,6 +71,7 @@ class Loop {
   void send_cue_force() noexcept;
   void watch_hands() noexcept;
   void tell(judge::HostEvent event, double value) noexcept;
+  void tell_not_drawn() noexcept;
   uint32_t listen_to_devices(double* signal, uint32_t n) const noexcept;
   void keep(const LoopStats& stats) noexcept;
   void show(const LoopStats& stats) noexcept;
@@ -108,6 +109,7 @@ class Loop {
   std::atomic<bool> paused_, stop_{false}, finished_{false};
   std::atomic<uint64_t> steps_{0};
   bool forces_on_ = false;
+  bool told_not_drawn_ = false;
   bool realtime_granted_ = false;
   uint64_t lost_events_ = 0;
   uint64_t forceless_steps_ = 0;

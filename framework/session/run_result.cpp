@@ -54,6 +54,14 @@ std::string who_was_late(const host::Rig& rig) {
   return "";
 }
 
+// the plugin whose primitives were left out, and the first of them
+std::string not_drawn_text(const host::Rig& rig, const base::DrawingHealth& visuals) {
+  const host::Instance& on = *rig.objects[visuals.object].instance;
+  const host::Instance& by = visuals.coupling == base::kNoCoupling ? on : *rig.couplings[visuals.coupling].instance;
+  return say::kNotDrawn(visuals.faulty, by.name + " (" + by.plugin_id + ")", on.name, base::visual_member(visuals.member), visuals.index,
+                        base::visual_kind(visuals.kind));
+}
+
 }  // namespace
 
 Result Run::make_result(Ending ending) const {
@@ -104,6 +112,7 @@ void Run::tell_circumstances(Result& out) const {
     const long percent = std::lround(1e2 * out.speed);
     out.problems.push_back({Severity::kWarning, "loop", who.empty() ? say::kTooSlow(percent, left) : say::kTooSlowBy(percent, who, left)});
   }
+  if (out.health.visuals.faulty > 0) out.problems.push_back({Severity::kWarning, "drawing", not_drawn_text(*rig_, out.health.visuals)});
   if (out.forces_off_s > 0) out.problems.push_back({Severity::kWarning, "forces", say::kForcesOff(tenths(out.forces_off_s))});
 }
 

@@ -46,6 +46,8 @@ inline constexpr auto kTooSlowBy =
     "The attempt ran at {} % of real speed, because {} held the steps up: {} s were left out. Its times and speeds are not those of the hand."_sentence;
 inline constexpr auto kForcesOff =
     "For {} s of this attempt no force was given: the force guard had switched off after a fault. Pause and resume to switch it on again."_sentence;
+inline constexpr auto kNotDrawn =
+    "{} pictures lack what {} draws on \"{}\": the {} of its primitive {} ({}) makes no sense. The validator says more (\"swage validate\")."_sentence;
 inline constexpr auto kHung =
     "step {} has not come back for half a second: {}. The attempt was saved. Start in safe mode to leave out every plugin that did not come with Swage."_sentence;
 inline constexpr auto kEndedUntold =

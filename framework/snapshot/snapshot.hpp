@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/drawing_health.hpp"
 #include "base/solver_health.hpp"
 
 namespace swage::snapshot {
@@ -42,6 +43,7 @@ struct LoopHealth {
   uint32_t realtime = 0;                       // 1: SCHED_FIFO and locked memory
   uint32_t quarantined = 0;                    // number of instances
   base::SolverHealth solver;                   // all 0 in a sound scene
+  base::DrawingHealth visuals;                 // the same of what plugins draw beside shapes
 };
 
 struct DeviceState {

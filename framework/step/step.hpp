@@ -87,7 +87,7 @@ class Engine {
   bool hand_gone() const noexcept { return hands_.gone(); }    // every script has ended
   const double* phase_s() const noexcept { return phase_s_; }  // [kPhases] s, wall, smoothed
 
-  /// Fills a snapshot but for the health of the loop. [rt]
+  /// Fills a snapshot but for the health of the loop, of which it adds to `visuals` alone. [rt]
   void fill(snapshot::Snapshot& out) const noexcept;
 
   /// The whole state that the next step depends on, plugins' private doubles included; not what devices hold themselves. False

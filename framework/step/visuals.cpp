@@ -31,16 +31,33 @@ struct Asked {
   uint32_t on_object, by_coupling;
 };
 
+// counts a list that is left out; the first is remembered
+void leave_out(const Asked& asked, uint32_t index, uint32_t kind, base::VisualMember member, base::DrawingHealth& health) noexcept {
+  if (health.faulty++ > 0) return;
+  health.object = asked.on_object;
+  health.coupling = asked.by_coupling;
+  health.index = index;
+  health.kind = kind;
+  health.member = static_cast<uint32_t>(member);
+}
+
 void ask(const Asked& asked, snapshot::Snapshot& out) noexcept {
-  swage_visual list[snapshot::kMaxVisualsOfOne];
+  // one place more than is drawn: a list that fills it is longer than what is drawn of it
+  swage_visual list[snapshot::kMaxVisualsOfOne + 1];
   const uint32_t room = std::min(snapshot::kMaxVisualsOfOne, snapshot::kMaxVisuals - out.n_visual);
-  if (asked.table == nullptr || room == 0) return;
+  if (asked.table == nullptr) return;
   uint32_t n = 0;
   const bool given = host::guarded(asked.instance, host::Call::kDraw, asked.on.step, [&] {
-    return asked.table->draw(asked.instance.raw, asked.object, asked.coupling, room, list, &n);
+    return asked.table->draw(asked.instance.raw, asked.object, asked.coupling, room + 1, list, &n);
   });
-  const auto good = [&](const swage_visual& v) { return host::fault_of(v, asked.on.n_body) == host::VisualFault::kGood; };
-  if (!given || n > room || !std::all_of(list, list + n, good)) return;
+  if (!given) return;
+  base::DrawingHealth& health = out.health.visuals;
+  if (n > room + 1) return leave_out(asked, room + 1, 0, base::VisualMember::kLength, health);
+  for (uint32_t k = 0; k < n; ++k)
+    if (const host::VisualFlaw flaw = host::flaw_of(list[k], asked.on.n_body); !flaw.good())
+      return leave_out(asked, k, list[k].kind, flaw.member, health);
+  health.cut += n > room;
+  n = std::min(n, room);
   for (uint32_t k = 0; k < n; ++k) out.visual[out.n_visual++] = {in_world(list[k], asked.on.X_WB), asked.on_object, asked.by_coupling};
 }
 

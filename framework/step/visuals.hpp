@@ -10,8 +10,8 @@
 
 namespace swage::step {
 
-/// Fills `visual`, objects first, each in the order of the lesson file; places and directions in the world. A list with a number
-/// that has no sense is left out as a whole. [rt] between steps
+/// Fills `visual`, objects first, each in the order of the lesson file; places and directions in the world. A list with a faulty
+/// primitive is left out as a whole, and of a list that is too long the end; both are added to the counts in `out.health.visuals`. [rt] between steps
 void fill_visuals(const host::Rig& rig, const Objects& objects, const Couplings& couplings, snapshot::Snapshot& out) noexcept;
 
 }  // namespace swage::step

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage describe: description and parameters of a plugin, from its own tables.
+// swage describe: description and parameters of a plugin, from its own tables; its signals and events, from a scene.
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,6 +12,7 @@
 #include "host/params_json.hpp"
 #include "host/schema.hpp"
 #include "host/units.hpp"
+#include "step/overlaps.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
 #include "tools/test_scene.hpp"
@@ -51,30 +52,53 @@ std::string default_text(const Param& p) {
   return host::value_text(p, value);
 }
 
-/// Declarations of an instance, made in a scene of its own in a child process, so that a plugin that crashes does no harm here.
+/// Declarations of an instance, made in a scene in a child process, so that a plugin that crashes does no harm here.
 struct Declared {
   nlohmann::ordered_json signals = nlohmann::ordered_json::array(), events = signals;
+  nlohmann::ordered_json overlaps = nlohmann::ordered_json::array();  // sentences: what starts inside what, in the scene of a lesson
   std::string why_not;  // "" when the declarations are known
 };
 
-Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
+template <class Named>
+nlohmann::ordered_json line_of(const Named& n) {
+  return {{"id", n.id}, {"unit", n.unit}, {"doc", n.doc}};
+}
+
+// the first instance of a plugin in a scene, nullptr for none
+const host::Instance* first_of(const host::Rig& rig, const PluginInfo& info) {
+  for (const host::Instance* one : host::instances(rig))
+    if (one->plugin_id == info.id) return one;
+  return nullptr;
+}
+
+// signals and events of the first instance, and what a device tells of itself
+void add_declared(host::Rig& rig, const PluginInfo& info, nlohmann::ordered_json& out, std::string& why) {
+  const host::Instance* one = first_of(rig, info);
+  if (one == nullptr) return;
+  for (const judge::Name& s : rig.script.signals)
+    if (s.owner == one->name) out["signals"].push_back(line_of(s));
+  for (const host::DeviceSlot& slot : rig.devices) {
+    if (slot.instance.get() != one) continue;
+    const host::DeviceSignals told(*slot.instance, why);
+    for (uint32_t i = 0; i < told.count(); ++i) out["signals"].push_back(line_of(told.signal(i)));
+  }
+  for (const judge::Name& e : rig.script.events)
+    if (e.owner == one->name) out["events"].push_back(line_of(e));
+}
+
+// asked in a scene of its own, or in that of `lesson`
+Declared declared(const PluginInfo& info, const host::Catalogue& catalogue, const assembly::LessonFile* lesson) {
   constexpr double kLimit = 20;  // s
   const auto ask = [&]() -> std::string {
-    const TestScene scene(info, catalogue);
-    nlohmann::ordered_json out = {{"signals", nlohmann::json::array()}, {"events", nlohmann::json::array()}};
+    const TestScene scene = lesson != nullptr ? TestScene(info, catalogue, *lesson) : TestScene(info, catalogue);
+    nlohmann::ordered_json out = {{"signals", nlohmann::json::array()}, {"events", nlohmann::json::array()}, {"overlaps", nlohmann::json::array()}};
     std::string why = scene.skipped();
     Stepped made;
     if (why.empty() && scene.make({}, made, why)) {
-      std::string owner = info.kind == SWAGE_KIND_LESSON ? made.rig->lesson.instance->name : "subject";
-      for (const judge::Name& s : made.rig->script.signals)
-        if (s.owner == owner) out["signals"].push_back({{"id", s.id}, {"unit", s.unit}, {"doc", s.doc}});
-      if (info.kind == SWAGE_KIND_DEVICE) {
-        const host::DeviceSignals told(*made.rig->devices[0].instance, why);
-        for (uint32_t i = 0; i < told.count(); ++i)
-          out["signals"].push_back({{"id", told.signal(i).id}, {"unit", told.signal(i).unit}, {"doc", told.signal(i).doc}});
-      }
-      for (const judge::Name& e : made.rig->script.events)
-        if (e.owner == owner) out["events"].push_back({{"id", e.id}, {"unit", e.unit}, {"doc", e.doc}});
+      add_declared(*made.rig, info, out, why);
+      // a scene that is made for it places things as they come
+      if (lesson != nullptr)
+        for (const base::Problem& p : step::start_overlaps(*made.rig, contact::Options())) out["overlaps"].push_back(p.message);
     }
     out["why"] = why;
     return out.dump();
@@ -86,6 +110,7 @@ Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
   known.why_not = answer.value("why", "");
   known.signals = answer["signals"];
   known.events = answer["events"];
+  known.overlaps = answer["overlaps"];
   return known;
 }
 
@@ -97,6 +122,8 @@ void print_declared(const Declared& known) {
       std::printf("  %-20s %-5s %s\n", row["id"].get<std::string>().c_str(), row["unit"].get<std::string>().c_str(),
                   row["doc"].get<std::string>().c_str());
   }
+  if (!known.overlaps.empty()) std::printf("  [At the start]\n");
+  for (const auto& sentence : known.overlaps) std::printf("  %s\n", printable(sentence.get<std::string>()).c_str());
   if (!known.why_not.empty()) std::printf("  Its signals and events are not known here: %s\n", known.why_not.c_str());
 }
 
@@ -246,6 +273,11 @@ int describe(const DescribeOptions& o) {
   if (is_path) everything.plugin_dirs.insert(everything.plugin_dirs.begin(), plugins[0].bundle_dir);
   const bool deep = !o.what.empty() && plugins.size() <= 4;
   const host::Catalogue partners(everything);
+  assembly::LessonFile lesson;
+  base::Problems unread;
+  if (!o.with.empty() && !assembly::read_lesson_file(o.with, lesson, unread))
+    return problem(say::kNoScene(o.with, unread.empty() ? "" : unread[0].message));
+  const auto known_of = [&](const PluginInfo& p) { return declared(p, partners, o.with.empty() ? nullptr : &lesson); };
 
   if (o.schema) {
     const bool one = !o.what.empty() && plugins.size() == 1;
@@ -255,9 +287,10 @@ int describe(const DescribeOptions& o) {
     for (const PluginInfo& p : plugins) {
       list.push_back(to_json(p));
       if (!deep) continue;
-      const Declared known = declared(p, partners);
+      const Declared known = known_of(p);
       list.back()["signals"] = known.signals;
       list.back()["events"] = known.events;
+      if (!o.with.empty()) list.back()["overlaps"] = known.overlaps;
     }
     print(list);
   } else if (o.markdown) {
@@ -269,7 +302,7 @@ int describe(const DescribeOptions& o) {
   } else {
     for (const PluginInfo& p : plugins) {
       print_text(p);
-      if (deep) print_declared(declared(p, partners));
+      if (deep) print_declared(known_of(p));
     }
   }
   return kPassed;

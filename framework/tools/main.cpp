@@ -152,6 +152,7 @@ void add_describe(CLI::App& app, Arguments& a) {
   CLI::App* verb = app.add_subcommand("describe", "Say what a plugin is and which parameters it has");
   DescribeOptions& o = a.describe;
   verb->add_option("plugin", o.what, "Plugin id or path of a bundle; none: everything that is installed");
+  verb->add_option("--with", o.with, "Lesson file: its scene says which signals and events there are, and what starts inside what")->check(CLI::ExistingFile);
   verb->add_flag("--schema", o.schema, "JSON Schema, for editors; without a plugin that of lesson files");
   verb->add_flag("--markdown", o.markdown, "The table of a README");
   verb->add_flag("--json", o.json, "As JSON");

@@ -176,6 +176,7 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
   if (r.health.solver.steps > 0)
     std::printf("solver: fell short in %llu steps: %s (what that means: guide/realtime.md)\n",
                 static_cast<unsigned long long>(r.health.solver.steps), base::text(r.health.solver).c_str());
+  if (const std::string left_out = base::text(r.health.visuals); !left_out.empty()) std::printf("drawing: %s\n", left_out.c_str());
   std::printf("%s\n", kept_text(r, store).c_str());
 }
 
@@ -185,7 +186,20 @@ Json solver_json(const base::SolverHealth& health) {
   return out;
 }
 
-Json loop_json(const snapshot::LoopHealth& h) {
+Json visuals_json(const base::DrawingHealth& h, const snapshot::SceneCard& card) {
+  Json out = Json::object();
+  for (const auto& field : base::kDrawingHealthFields) out[field.id] = h.*field.count;
+  if (h.faulty == 0) return out;
+  const bool named = h.object < card.objects.size();
+  out["first"] = {{"object", named ? Json(card.objects[h.object].name) : Json(nullptr)},
+                  {"coupling", h.coupling == base::kNoCoupling ? Json(nullptr) : Json(h.coupling)},
+                  {"index", h.index},
+                  {"kind", base::visual_kind(h.kind)},
+                  {"member", base::visual_member(h.member)}};
+  return out;
+}
+
+Json loop_json(const snapshot::LoopHealth& h, const snapshot::SceneCard& card) {
   return {{"executed", h.executed},
           {"late", h.late},
           {"overrun", h.overrun},
@@ -197,7 +211,8 @@ Json loop_json(const snapshot::LoopHealth& h) {
           {"p999_step_cpu_s", number(h.p999_step_cpu_s)},
           {"realtime", h.realtime != 0},
           {"quarantined", h.quarantined},
-          {"solver", solver_json(h.solver)}};
+          {"solver", solver_json(h.solver)},
+          {"visuals", visuals_json(h.visuals, card)}};
 }
 
 void print_json(const snapshot::SceneCard& card, const session::Result& r, const std::string& store) {
@@ -215,7 +230,7 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
   for (const auto& m : r.metrics)
     out["metrics"].push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}, {"doc", m.doc}});
   out["ratings"] = ratings_json(r.outcome, judge::metrics_of(r.metrics));
-  out["loop"] = loop_json(r.health);
+  out["loop"] = loop_json(r.health, card);
   out["attempt"] = r.attempt_id.empty() ? Json(nullptr) : Json(r.attempt_id);
   out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(record::shown(store));
   out["kept_beside"] = r.kept_beside.empty() ? Json(nullptr) : Json(r.kept_beside);

@@ -73,6 +73,7 @@ int audit(const AuditOptions&);
 
 struct DescribeOptions {
   std::string what;  // plugin id or path of a bundle; "": everything installed
+  std::string with;  // lesson file in whose scene the plugin declares its signals and events, "" to make one
   std::vector<std::string> plugin_dirs;
   bool schema = false, markdown = false, json = false;
 };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/visual_test.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
+#include <iterator>
 #include <vector>
 
 #include "host/visuals.hpp"
@@ -26,52 +25,42 @@ uint64_t hash_of(const scene::World& world) {
   return all.hash();
 }
 
-constexpr std::array<const char*, SWAGE_VISUAL_KINDS + 1> kKinds = {"unknown", "dent", "tear", "wound", "line", "disc", "tube"};
-
-const char* kind_of(const swage_visual& v) { return kKinds[v.kind <= SWAGE_VISUAL_KINDS ? v.kind : 0]; }
-
-// the first member that is no place
-std::string member_of(const swage_visual& v) {
-  constexpr double kFar = 1e6;  // m, as in host/visuals.hpp
-  const std::pair<const char*, double> members[] = {
-      {"a.x", v.a.x}, {"a.y", v.a.y}, {"a.z", v.a.z}, {"b.x", v.b.x}, {"b.y", v.b.y}, {"b.z", v.b.z},
-      {"direction.x", v.direction.x}, {"direction.y", v.direction.y}, {"direction.z", v.direction.z}};
-  for (const auto& [name, x] : members)
-    if (!(std::abs(x) < kFar)) return name;
-  return "radius";
-}
+static_assert(std::size(base::kVisualKinds) == SWAGE_VISUAL_KINDS + 1);
 
 // what is wrong with a primitive, without its number
 std::string fault_in(const swage_visual& v, uint32_t bodies) {
-  switch (host::fault_of(v, bodies)) {
+  const host::VisualFlaw flaw = host::flaw_of(v, bodies);
+  switch (flaw.fault) {
     case host::VisualFault::kKind:
-      return v.tone >= SWAGE_TONES && v.kind > 0 && v.kind <= SWAGE_VISUAL_KINDS ? say::kVisualTone(v.tone) : say::kVisualKind(v.kind);
+      return say::kVisualKind(v.kind);
+    case host::VisualFault::kTone:
+      return say::kVisualTone(v.tone);
     case host::VisualFault::kBody:
       return say::kVisualBody(v.body, bodies);
     case host::VisualFault::kNumber:
-      return say::kVisualNumber(member_of(v));
+      return say::kVisualNumber(base::visual_member(static_cast<uint32_t>(flaw.member)));
     case host::VisualFault::kSize:
       return say::kVisualSize(format("%g", v.radius));
     case host::VisualFault::kStrength:
       return say::kVisualStrength(format("%g", v.strength));
+    case host::VisualFault::kNormal:
+      return say::kVisualNormal(format("%g", std::hypot(v.direction.x, v.direction.y, v.direction.z)));
     case host::VisualFault::kGood:
       break;
   }
-  const double length = std::hypot(v.direction.x, v.direction.y, v.direction.z);
-  // the tolerance with which the host takes directions as unit
-  return v.kind == SWAGE_VISUAL_DISC && !(std::abs(length - 1) < 1e-6) ? say::kVisualNormal(format("%g", length)) : "";
+  return "";
 }
 
 std::string wrong_in(const std::vector<swage_visual>& list, uint32_t n, uint32_t bodies) {
   for (uint32_t i = 0; i < n; ++i)
-    if (const std::string fault = fault_in(list[i], bodies); !fault.empty()) return say::kOfVisual(i, kind_of(list[i]), fault);
+    if (const std::string fault = fault_in(list[i], bodies); !fault.empty()) return say::kOfVisual(i, base::visual_kind(list[i].kind), fault);
   return "";
 }
 
 // what will not be seen of a list without a fault; asked with more room than a host gives, as the wrapper keeps within any
 std::string unseen(const Draw& draw, const std::vector<swage_visual>& list, uint32_t n, bool pierceable) {
   for (uint32_t i = 0; i < n && !pierceable; ++i)
-    if (list[i].kind <= SWAGE_VISUAL_WOUND) return say::kVisualUnseen(i, kind_of(list[i]), SWAGE_TRAIT_PIERCEABLE);
+    if (list[i].kind <= SWAGE_VISUAL_WOUND) return say::kVisualUnseen(i, base::visual_kind(list[i].kind), SWAGE_TRAIT_PIERCEABLE);
   if (n < snapshot::kMaxVisualsOfOne) return "";
   std::vector<swage_visual> wide(std::size_t{kWide});
   uint32_t n_wide = 0;

@@ -17,8 +17,10 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTableView>
+#include <QTextBrowser>
 #include <QXmlStreamReader>
 
+#include "console/app/help_dialog.hpp"
 #include "console/cues/theme_words.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
@@ -310,7 +312,7 @@ TEST(Words, AnEventIsCalledAsItsPluginSays) {
 TEST(GermanWords, NameThePartsOfALesson) {
   QTemporaryDir dir;
   const QString bundle = dir.filePath(QStringLiteral("org.example.clip")), file = dir.filePath(QStringLiteral("lesson/clip.json"));
-  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange")"));
+  put(bundle + "/words.de.json", german_words(R"("Vessel clip": "Gefäßklemme", "Clip applier": "Anlegezange", "Shuts a vessel.": "Verschließt ein Gefäß.")"));
   put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Clip", "devices": [],
                  "objects": [ { "name": "left_clip", "plugin": "org.example.clip" } ], "lesson": { "plugin": "x.lesson" } })");
   put(dir.filePath(QStringLiteral("lesson/words.de.json")), german_words(R"("left_clip": "Linke Klemme")"));
@@ -318,7 +320,7 @@ TEST(GermanWords, NameThePartsOfALesson) {
   nothing.use_environment = false;
   host::Catalogue catalogue(nothing);
   host::PluginInfo clip, applier;
-  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.bundle_dir = bundle.toStdString();
+  clip.kind = SWAGE_KIND_OBJECT, clip.id = "org.example.clip", clip.name = "Vessel clip", clip.summary = "Shuts a vessel.", clip.bundle_dir = bundle.toStdString();
   applier.kind = SWAGE_KIND_DEVICE, applier.id = "org.example.applier", applier.name = "Clip applier", applier.bundle_dir = clip.bundle_dir;
   catalogue.add(clip);
   catalogue.add(applier);
@@ -331,10 +333,23 @@ TEST(GermanWords, NameThePartsOfALesson) {
   const auto* plugin = add.findChild<QComboBox*>("part_plugin");
   EXPECT_GE(plugin->findText("Gefäßklemme"), 0);
   EXPECT_EQ(plugin->findText("Vessel clip"), -1);
+  EXPECT_EQ(plugin->itemData(plugin->findText("Gefäßklemme"), Qt::ToolTipRole).toString(), "Verschließt ein Gefäß.");
   console::SetupPage setup;
   setup.set_devices({&applier});
   EXPECT_GE(setup.findChild<QComboBox*>("binding_pose")->findText("Anlegezange"), 0);
   console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
+
+// Help shows the handbooks in the language of the window
+TEST(GermanWords, AreThoseOfTheHandbooksInHelp) {
+  for (const auto& [language, title] : {std::pair{"de", "Handbuch für Übende"}, std::pair{"en", "The trainee's handbook"}}) {
+    ASSERT_TRUE(console::use_language(QString::fromLatin1(language)));
+    const console::HelpDialog help(console::CueTheme::stock("safe"), nullptr);
+    const auto* page = help.findChild<QTextBrowser*>("handbook_trainee");
+    ASSERT_NE(page, nullptr);
+    EXPECT_TRUE(page->toPlainText().startsWith(QString::fromUtf8(title))) << page->toPlainText().left(60).toStdString();
+  }
   QLocale::setDefault(QLocale::c());
 }
 

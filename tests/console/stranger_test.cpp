@@ -16,6 +16,7 @@
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
+#include "console/pages/status_strip.hpp"
 #include "console/view3d/scene_input.hpp"
 #include "console/view3d/scene_state.hpp"
 #include "console/widgets/cue_legend.hpp"
@@ -147,6 +148,27 @@ TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
   const HelpDialog help(theme, nullptr);
   const QList<QLabel*> labels = help.findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == "The lamp is lit"; }));
+}
+
+// What a plugin draws and nobody can is told in the strip: of whom, and which part.
+TEST(Stranger, SeesThatNotEverythingIsDrawn) {
+  StatusStrip strip;
+  snapshot::Snapshot now;
+  snapshot::SceneCard card;
+  card.objects.resize(2);
+  card.objects[1].name = "pad";
+  strip.show_health(now, card, 1000, true);
+  EXPECT_FALSE(strip.text().contains("not everything is drawn"));
+  now.health.visuals.cut = 7;  // the first ones are drawn: no fault
+  strip.show_health(now, card, 1000, true);
+  EXPECT_FALSE(strip.text().contains("not everything is drawn"));
+  const auto* loop = strip.findChild<QLabel*>("loop_health");
+  EXPECT_TRUE(loop->toolTip().contains("7 times"));
+  now.health.visuals = {3, 0, 1, base::kNoCoupling, 4, SWAGE_VISUAL_DISC, static_cast<uint32_t>(base::VisualMember::kDirection), 0};
+  strip.show_health(now, card, 1000, true);
+  EXPECT_TRUE(strip.text().contains("not everything is drawn"));
+  EXPECT_TRUE(strip.text().startsWith(QStringLiteral("▲")));
+  EXPECT_EQ(loop->toolTip(), "What is drawn on Pad was left out 3 times; first for its primitive 4 (disc), member direction.");
 }
 
 // Thirty numbers would hide the five important ones; deductions are listed separately.

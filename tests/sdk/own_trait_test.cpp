@@ -6,6 +6,9 @@
 #include <swage/abi/visual.h>
 #include <swage/testbed.hpp>
 
+#include <algorithm>
+#include <array>
+
 #include "../plugins_for_tests/sticky/sticky.hpp"
 #include "loaded_plugin.hpp"
 
@@ -62,6 +65,51 @@ TEST(OwnTrait, a_coupling_asks_a_class_it_has_never_heard_of) {
     i->destroy(i);
   }
   EXPECT_TRUE(host.faults.empty());
+}
+
+/// Lines along x, of 0 mm, 1 mm and so on.
+void lines(double n, Visuals& out) {
+  for (int i = 0; i < n; ++i) out.line({0, 0, 0}, {1e-3 * i, 0, 0}, 0);
+}
+struct Count {
+  double lines = 2;
+};
+constexpr auto kLines = real<&Count::lines>("lines", "Lines", "1", "1", 0, 1000, "How many are drawn.");
+
+class DrawnObject final : public Object<Count>, public Drawing {
+ public:
+  static constexpr auto id = "org.example.drawn", version = "1.0.0", name = "Drawn", summary = "Lines.", author = "Swage", licence = "Apache-2.0";
+  static constexpr std::array fields = {kLines};
+  void build(const Count&, Builder& builder) override { builder.fixed_body("stand"); }
+  void draw(const Step&, Visuals& out) override { lines(params().lines, out); }
+};
+
+class DrawnCoupling final : public Coupling<Count>, public DrawingOnB {
+ public:
+  static constexpr auto id = "org.example.drawing", version = "1.0.0", name = "Drawing", summary = "Lines.", author = "Swage", licence = "Apache-2.0";
+  static constexpr std::array<const char*, 0> needs_a{}, needs_b{};
+  static constexpr bool detects = false;
+  static constexpr std::array fields = {kLines};
+  void draw(const CouplingStep&, Visuals& out) override { lines(params().lines, out); }
+};
+
+/// The bench tells what is drawn, and reports what a host has no room for.
+template <class Bench, class... Objects>
+void expect_drawn(uint32_t lines, bool content, Objects... objects) {
+  Bench bench;
+  ASSERT_TRUE(bench.set("lines", lines));
+  ASSERT_TRUE(bench.start(objects...));
+  EXPECT_EQ(bench.draw(), SWAGE_OK);
+  ASSERT_EQ(bench.drawn.size(), std::min(lines, 80u));
+  for (std::size_t i = 0; i < bench.drawn.size(); ++i) EXPECT_DOUBLE_EQ(bench.drawn[i].b.x, 1e-3 * static_cast<double>(i));
+  EXPECT_EQ(bench.content(), content) << lines;
+}
+
+TEST(Bench, asks_what_is_drawn) {
+  for (const uint32_t lines : {0u, 2u, 80u, 81u, 200u}) {
+    expect_drawn<testbed::ObjectBench<DrawnObject>>(lines, lines <= 80);
+    expect_drawn<testbed::CouplingBench<DrawnCoupling>>(lines, lines <= 80, nullptr, nullptr);
+  }
 }
 
 }  // namespace

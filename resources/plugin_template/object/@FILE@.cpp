@@ -30,4 +30,9 @@ void @NAME@::finish(const swage::Step& step) {
 // [rt] Called before the first step and at each restart of the attempt; the ball is at its start.
 void @NAME@::reset(const swage::Step& step) { step.state<State>().rest = step.pose(ball_).p; }
 
+// [rt] What is to be seen beside the shapes: the spring, as a thin line.
+void @NAME@::draw(const swage::Step& step, swage::Visuals& out) {
+  out.line(step.state<State>().rest, step.pose(ball_).p, 0.1 * params().radius);
+}
+
 SWAGE_EXPORT(@NAME@)

@@ -12,7 +12,7 @@ struct @NAME@Params {
   double damping = 4e-5;      // N s/m, a twentieth of critical
 };
 
-class @NAME@ final : public swage::Object<@NAME@Params>, public swage::Solid {
+class @NAME@ final : public swage::Object<@NAME@Params>, public swage::Solid, public swage::Drawing {
  public:
   static constexpr auto id = "@ID@";
   static constexpr auto version = "0.1.0";
@@ -33,6 +33,7 @@ class @NAME@ final : public swage::Object<@NAME@Params>, public swage::Solid {
   void forces(const swage::Step& step) override;
   void finish(const swage::Step& step) override;
   void reset(const swage::Step& step) override;
+  void draw(const swage::Step& step, swage::Visuals& out) override;
 
  private:
   // private numbers of the instance: doubles that the host keeps, saves and restores

@@ -27,6 +27,9 @@ int main() {
 
   bench.finish();
   check(std::abs(bench.signal[0] - 1e-3) < 1e-15, "the stretch is told");
+
+  bench.draw();
+  check(bench.drawn.size() == 1 && bench.drawn[0].b.x == bench.pose[0].p.x, "the spring is drawn to the ball");
   check(bench.content(), "nothing was reported");
 
   // the stiffest spring on the lightest ball: one step brings it closer and not past the middle

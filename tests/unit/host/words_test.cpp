@@ -83,7 +83,9 @@ TEST(Words, LieInFilesOfTheirLanguageInTheOrderOfTheirNames) {
 
 TEST(Words, OfAPluginAreWhatPeopleSee) {
   PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_OBJECT;
   plugin.name = "Bent needle";
+  plugin.summary = "It bends.";
   Param shown, hidden, file_name;
   shown.type = SWAGE_PARAM_CHOICE;
   shown.id = "arc";
@@ -104,8 +106,10 @@ TEST(Words, OfAPluginAreWhatPeopleSee) {
   plugin.metrics = {titled, plain};
   plugin.cues = {{"grasp.good", "Named by a theme.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_NEUTRAL},
                  {"clip.lost", "Shown by its id's words.", SWAGE_CHANNEL_COLOUR, SWAGE_CUE_BAD}};
-  EXPECT_THAT(words_of(plugin), ElementsAre("Bent needle", "Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
+  EXPECT_THAT(words_of(plugin), ElementsAre("Bent needle", "It bends.", "Arc", "How much of a circle.", "straight", "Hold it.", "Grip force, peak",
                                             "Greatest force.", "x.y", "clip.lost"));
+  plugin.kind = SWAGE_KIND_LESSON;  // whose summary is in no list
+  EXPECT_THAT(words_of(plugin), testing::Not(testing::Contains("It bends.")));
 }
 
 TEST(Words, OfASceneAndOfALessonAreWhatPeopleSee) {

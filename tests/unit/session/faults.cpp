@@ -5,12 +5,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "record/export.hpp"
 #include "record/store.hpp"
 #include "session/sentences.hpp"
 #include "session/session.hpp"
@@ -65,6 +69,18 @@ class Faults : public ::testing::Test {
       "objects": [ { "name": "good", "plugin": "org.example.ball" } ],
       "lesson": { "plugin": "swage.lesson.look" } })";
   }
+  // a coupling with a fault between two good balls
+  void with_coupling(const std::string& fault) {
+    const std::string id = "org.example.bad.coupling_" + fault;
+    use(id, BAD_PLUGINS_DIR);
+    std::ofstream(options.lesson_path)
+        << R"({ "format": "swage-lesson/1", "id": "test.faults", "title": "Faults",
+      "objects": [ { "name": "first", "plugin": "org.example.ball" },
+                   { "name": "second", "plugin": "org.example.ball", "pose": { "p": [0.1, 0, 0] } } ],
+      "couplings": [ { "name": "painter", "plugin": ")"
+        << id << R"(", "between": ["first", "second"] } ],
+      "lesson": { "plugin": "swage.lesson.look" } })";
+  }
   Result run() {
     Problems problems;
     auto session = Session::open(options, problems);
@@ -101,6 +117,44 @@ class Faults : public ::testing::Test {
   std::string folder;
   Options options;
 };
+
+// a primitive that makes no sense costs what is drawn, and is told: counted, with an event, in words and with the attempt
+TEST_F(Faults, WhatIsNotDrawnIsCountedAndTold) {
+  const std::pair<const char*, const char*> faults[] = {{"visualkind", "kind"}, {"visualnumber", "b.y"}, {"visualnormal", "direction"}};
+  for (const auto& [fault, member] : faults) {
+    with_coupling(fault);
+    Problems problems;
+    auto session = Session::open(options, problems);
+    ASSERT_NE(session, nullptr) << told(problems);
+    session->start();
+    session->wait();
+    const Result result = session->result();
+    EXPECT_NE(result.outcome, judge::Outcome::kVoid) << fault;
+    EXPECT_GT(result.health.visuals.faulty, 0u) << fault;
+    EXPECT_EQ(result.health.visuals.object, 1u);
+    EXPECT_STREQ(base::visual_member(result.health.visuals.member), member);
+    int times = 0;
+    judge::Event event;
+    while (session->next_event(event)) {
+      if (session->card().script.events[event.event].id != "host.not_drawn") continue;
+      ++times;
+      EXPECT_EQ(event.value, 2) << "two objects come before it";
+    }
+    EXPECT_EQ(times, 1) << fault;
+    const std::string words = told(result.problems);
+    EXPECT_NE(words.find("painter"), std::string::npos) << words;
+    EXPECT_NE(words.find(member), std::string::npos) << words;
+    std::vector<record::Exported> kept;
+    std::string error;
+    record::Selection which;
+    which.attempt_id = result.attempt_id;
+    ASSERT_TRUE(record::read_for_export(options.store_path, which, kept, error)) << error;
+    ASSERT_EQ(kept.size(), 1u);
+    const auto count = std::find_if(kept[0].health.begin(), kept[0].health.end(), [](const auto& h) { return h.id == "visuals.faulty"; });
+    ASSERT_NE(count, kept[0].health.end());
+    EXPECT_EQ(count->value, static_cast<double>(result.health.visuals.faulty));
+  }
+}
 
 TEST_F(Faults, NonsenseVoidsTheAttemptAndNamesTheCulprit) {
   for (const char* fault : {"nan", "throws", "huge", "sets_fpu"}) {

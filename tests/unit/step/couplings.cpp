@@ -186,9 +186,68 @@ TEST(Couplings, DrawOnObjectB) {
   EXPECT_EQ(drawn([](swage_visual& v) { v.body = 99; }), 0u);
   EXPECT_EQ(drawn([](swage_visual& v) { v.radius = -1e-3; }), 0u);
   EXPECT_EQ(drawn([](swage_visual& v) { v.strength = 1.01; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.direction = {0, 0, 0}; }), 0u);
+  EXPECT_EQ(drawn([](swage_visual& v) { v.direction = {0, 0, 2}; }), 0u);
   Drawn::list.assign(200, disc);
   s.engine().fill(*shot);
   EXPECT_EQ(shot->n_visual, snapshot::kMaxVisualsOfOne);
+}
+
+// what a picture lacks is counted; the first faulty primitive is remembered with its member
+TEST(Couplings, DrawingsLeftOutAreCounted) {
+  const swage_visual disc{SWAGE_VISUAL_DISC, 0, 0, SWAGE_TONE_INK, {0, 0, 1e-3}, {0, 0, 1e-3}, {0, 0, 1}, 1e-3, 0.5};
+  FakeScene s;
+  s.rig.couplings[0].visuals = &Drawn::table;
+  const auto shot = std::make_unique<snapshot::Snapshot>();
+  const base::DrawingHealth& health = shot->health.visuals;
+  const auto draw = [&](std::size_t n, std::size_t faulty, const auto& spoil) {
+    Drawn::list.assign(n, disc);
+    if (faulty < n) spoil(Drawn::list[faulty]);
+    s.engine().fill(*shot);
+  };
+  const auto nothing = [](swage_visual&) {};
+  draw(snapshot::kMaxVisualsOfOne, 99, nothing);
+  EXPECT_EQ(health.faulty + health.cut, 0u);
+  draw(snapshot::kMaxVisualsOfOne + 1, 99, nothing);
+  EXPECT_EQ(health.cut, 1u);
+  EXPECT_EQ(health.faulty, 0u);
+
+  draw(3, 2, [](swage_visual& v) { v.direction = {0, 0, 0}; });
+  EXPECT_EQ(health.faulty, 1u);
+  EXPECT_EQ(health.object, s.rig.couplings[0].object_b);
+  EXPECT_EQ(health.coupling, 0u);
+  EXPECT_EQ(health.index, 2u);
+  EXPECT_STREQ(base::visual_kind(health.kind), "disc");
+  EXPECT_STREQ(base::visual_member(health.member), "direction");
+  // later ones count, and the first stays
+  draw(1, 0, [](swage_visual& v) { v.b.y = std::numeric_limits<double>::quiet_NaN(); });
+  EXPECT_EQ(health.faulty, 2u);
+  EXPECT_EQ(health.index, 2u);
+  EXPECT_EQ(base::text(health), "2 drawings left out for a faulty primitive, 1 drawings cut for lack of room");
+}
+
+TEST(Couplings, TheFaultyMemberOfADrawingIsNamed) {
+  const swage_visual line{SWAGE_VISUAL_LINE, 0, 0, SWAGE_TONE_INK, {0, 0, 0}, {0, 0, 1e-3}, {0, 0, 0}, 1e-4, 1};
+  const auto member = [&](const auto& spoil) {
+    FakeScene s;
+    s.rig.couplings[0].visuals = &Drawn::table;
+    Drawn::list = {line};
+    spoil(Drawn::list[0]);
+    const auto shot = std::make_unique<snapshot::Snapshot>();
+    s.engine().fill(*shot);
+    return std::string(base::visual_member(shot->health.visuals.member));
+  };
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(member([](swage_visual&) {}), "");
+  EXPECT_EQ(member([](swage_visual& v) { v.kind = 99; }), "kind");
+  EXPECT_EQ(member([](swage_visual& v) { v.tone = 99; }), "tone");
+  EXPECT_EQ(member([](swage_visual& v) { v.body = 99; }), "body");
+  EXPECT_EQ(member([](swage_visual& v) { v.a.z = kNaN; }), "a.z");
+  EXPECT_EQ(member([](swage_visual& v) { v.b.x = 1e7; }), "b.x");
+  EXPECT_EQ(member([](swage_visual& v) { v.direction.y = kNaN; }), "direction.y");
+  EXPECT_EQ(member([](swage_visual& v) { v.radius = kNaN; }), "radius");
+  EXPECT_EQ(member([](swage_visual& v) { v.radius = -1e-3; }), "radius");
+  EXPECT_EQ(member([](swage_visual& v) { v.strength = kNaN; }), "strength");
 }
 
 TEST(Couplings, TellEventsOfTheirOwn) {

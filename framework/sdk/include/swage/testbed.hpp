@@ -68,6 +68,8 @@ class ObjectBench : public Bench<T> {
     return object()->forces(this->raw, fill());
   }
   swage_result finish() { return object()->finish(this->raw, fill()); }
+  /// Calls draw() of an object with Drawing; the list is in `drawn`.
+  swage_result draw() { return this->draw_with(fill(), nullptr); }
 
   /// The step, pointing at the arrays above.
   const swage_object_step* fill() {
@@ -132,6 +134,8 @@ class CouplingBench : public Bench<T> {
     return links()->on_solved(this->raw, fill(), static_cast<uint32_t>(ties.size()), ties.data());
   }
   swage_result finish() { return table()->finish(this->raw, fill()); }
+  /// Calls draw() of a coupling with DrawingOnB; the list is in `drawn`.
+  swage_result draw() { return this->draw_with(nullptr, fill()); }
 
  private:
   const swage_coupling* table() const { return this->template get<swage_coupling>(SWAGE_EXT_COUPLING); }

@@ -17,7 +17,7 @@ class Visuals {
 
   uint32_t size() const { return n_; }
   bool full() const { return n_ == room_.size(); }
-  /// Adds a primitive; no effect on a full list. [rt]
+  /// Adds a primitive; a full list takes no more: the host has a place more than it draws, and counts a list that fills it as cut. [rt]
   void add(const swage_visual& v) {
     if (!full()) room_[n_++] = v;
   }

@@ -38,7 +38,7 @@ typedef struct swage_visual {
 } swage_visual;
 
 /* Called after finish(). An object gets a NULL coupling step; a coupling gets a NULL object step and draws on object b, with indices of
- * b's bodies. Writes at most `capacity` primitives into out and their number into *n, and must not change state. */
+ * b's bodies. Writes at most `capacity` primitives (one more than are drawn: a list that fills it is counted as cut) into out and their number into *n, and must not change state. */
 #define SWAGE_EXT_VISUAL "swage.visual/1"
 typedef struct swage_visuals {
   swage_result (*draw)(swage_instance*, const swage_object_step*, const swage_coupling_step*, uint32_t capacity, swage_visual* out,

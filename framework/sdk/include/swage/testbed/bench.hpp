@@ -3,6 +3,7 @@
 // The host, the builder and the instance behind the benches of <swage/testbed.hpp>.
 #pragma once
 
+#include <swage/abi/visual.h>
 #include <swage/environment.hpp>
 #include <swage/plugin.hpp>
 
@@ -244,12 +245,31 @@ class Bench {
   /// No errors, reports or faults so far.
   bool content() const { return declared.errors.empty() && host.reports.empty() && host.faults.empty(); }
 
+  /// What the last draw() gave of what a picture shows of it: at most kDrawn. A longer list is reported, as a host counts it.
+  std::vector<swage_visual> drawn;
+  static constexpr uint32_t kDrawn = 80;  // primitives of one plugin that a host has room for
+
   template <class Table>
   const Table* get(const char* id) const {
     return static_cast<const Table*>(raw->get_extension(raw, id));
   }
 
+ protected:
+  /// draw() of a plugin with Drawing or DrawingOnB; SWAGE_ERROR where it has none.
+  swage_result draw_with(const swage_object_step* object, const swage_coupling_step* coupling) {
+    const auto* table = get<swage_visuals>(SWAGE_EXT_VISUAL);
+    if (table == nullptr) return SWAGE_ERROR;
+    uint32_t n = 0;
+    drawn.assign(kAsked, {});
+    const swage_result result = table->draw(raw, object, coupling, kAsked, drawn.data(), &n);
+    if (n > kDrawn) host.reports.push_back("draw: " + std::to_string(n) + " primitives, and a host draws " + std::to_string(kDrawn));
+    drawn.resize(std::min(n, kDrawn));
+    return result;
+  }
+
  private:
+  static constexpr uint32_t kAsked = 4096;  // room in which a list that makes sense has its place
+
   static uint32_t find(std::string_view id) {
     for (uint32_t i = 0; i < detail::Table<T>::count(); ++i)
       if (detail::Table<T>::rows()[i].id == id) return i;
