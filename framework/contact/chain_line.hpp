@@ -27,6 +27,7 @@ inline void share_chain_lines(const scene::World& world, ContactSet& set, size_t
   constexpr int kMost = 128;
   struct Line {
     size_t contact = 0;  // first of its two points
+    uint32_t arc = 0;    // shape whose line it is
     uint32_t other = 0;  // shape on which it lies
     double length = 0;   // m
   };
@@ -37,15 +38,18 @@ inline void share_chain_lines(const scene::World& world, ContactSet& set, size_t
                      c.shape_b == next.shape_b;
     const bool chain_a = in_chain(world, c.shape_a), chain_b = in_chain(world, c.shape_b);
     if (!two || chain_a == chain_b) continue;
-    line.add({i, chain_a ? c.shape_b : c.shape_a, kChainPoints * (next.p_W - c.p_W).norm()});
+    const uint32_t arc = chain_a ? c.shape_a : c.shape_b, other = chain_a ? c.shape_b : c.shape_a;
+    line.add({i, arc, other, kChainPoints * (next.p_W - c.p_W).norm()});
   }
   for (const Line& part : line) {
-    double whole = 0;
-    for (const Line& other : line)
-      if (other.other == part.other) whole += other.length;
+    double whole = 0, of_arc = 0;  // m; an arc that goes round an edge has a line on either side of it
+    for (const Line& other : line) {
+      if (other.other != part.other) continue;
+      whole += other.length;
+      if (other.arc == part.arc) of_arc += other.length;
+    }
     if (!(whole > 0)) continue;
-    for (size_t i = part.contact; i < part.contact + kChainPoints; ++i)
-      set.contact[i].weight *= part.length / whole;
+    for (size_t i = part.contact; i < part.contact + kChainPoints; ++i) set.contact[i].weight *= of_arc / whole;
   }
 }
 

@@ -228,7 +228,9 @@ Query Detector::query_of(const scene::World& world, const ShapePair& pair, doubl
   Query query{margin, world.length, options_.flatness, options_.line_points};
   query.piece = in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b);
   if (query.piece) query.line_points = kChainPoints;
+  const auto after = [this](uint32_t shape) { return shape + 1 < goes_on_.size() && goes_on_[shape + 1]; };
   query.goes_on = goes_on_[pair.shape_a] || goes_on_[pair.shape_b];
+  query.goes_on_after = after(pair.shape_a) || after(pair.shape_b);
   return query;
 }
 
@@ -294,7 +296,7 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
   Query point = query;
   point.flatness = 0;
   // and reports all its minima itself: with goes_on, all arcs of a wire but the first would touch nothing
-  point.piece = point.goes_on = false;
+  point.piece = point.goes_on = point.goes_on_after = false;
   chain.visit(near, [&](uint32_t i) {
     sphere_.axis = {chain.centre[i], chain.centre[i]};
     sphere_.convex.vertex[0] = sphere_.centre = chain.centre[i];

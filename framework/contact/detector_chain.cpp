@@ -105,7 +105,7 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
   Query query = query_of(world, pair, margin + moves);
   query.piece = true, query.line_points = kPiecePoints;
   // a sphere touches in one point, where it is at the end of the step
-  if (a.sphere || b.sphere) query.piece = query.goes_on = false, query.flatness = 0;
+  if (a.sphere || b.sphere) query.piece = query.goes_on = query.goes_on_after = false, query.flatness = 0;
   const bool swept = collide_parts(a, b, moves, query, world.length);
   weigh_lines(a.chain != nullptr ? a.solid->radius : b.solid->radius);
   const uint64_t part = a.chain != nullptr && b.chain != nullptr ? uint64_t{a.number} << 10 | b.number

@@ -29,6 +29,7 @@ struct Query {
   int line_points = 4;  // even, 2..8
   /// The wire continues before its start as another solid, which reports a minimum at the joint.
   bool goes_on = false;
+  bool goes_on_after = false;  // the same at its end, whose minimum this solid reports
   bool piece = false;  // the wire is one of the pieces of a chain
 };
 

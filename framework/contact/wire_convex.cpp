@@ -72,11 +72,34 @@ class Writer {
     return (1 - sharp_[at(k)]) * curve_.length(piece.from, piece.to);
   }
 
+  /// Length of the wire over the region of a piece [m]. Where the wire continues as another solid, it is followed along its tangent to the
+  /// border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
+  /// a point beside its line, at the cut or at the edge by the sign of its tilt, and rock from step to step.
+  double length_over_region(int k) const {
+    const Piece<Place>& piece = walk_.pieces()[k];
+    double length = curve_.length(piece.from, piece.to);
+    const auto is = [](Place place, Place end) { return Curve::order(place) == Curve::order(end); };
+    if (query_.goes_on && is(piece.from, curve_.stretch(0).from))
+      length += ahead(piece.region, curve_.point(piece.from), -curve_.tangent(piece.from));
+    if (query_.goes_on_after && is(piece.to, curve_.stretch(curve_.stretches() - 1).to))
+      length += ahead(piece.region, curve_.point(piece.to), curve_.tangent(piece.to));
+    return length;
+  }
+  /// Way from p along the unit vector u to the border of a region, at most a wire's radius [m].
+  double ahead(Region region, const Vec3& p, const Vec3& u) const {
+    double way = a_.radius;
+    for_each_border(b_.convex, region, [&](const Vec3& n, double d, Region) {
+      const double rate = n.dot(u);
+      if (rate > 0) way = std::min(way, std::max(0.0, d - n.dot(p)) / rate);
+    });
+    return way;
+  }
+
   /// 0 for a piece along which the distance hardly varies and that is longer than the wire is thick.
   double sharpness(int k) const {
     const Piece<Place>& piece = walk_.pieces()[k];
     if (piece.region.kind == Region::kVertex || query_.flatness <= 0) return 1;
-    const double short_wire = 1 - ramp(curve_.length(piece.from, piece.to), 0.25 * a_.radius, a_.radius);
+    const double short_wire = 1 - ramp(length_over_region(k), 0.25 * a_.radius, a_.radius);
     if (short_wire >= 1) return 1;
 
     // minima in the piece and next to it; without one the piece is out of reach

@@ -51,6 +51,20 @@ TEST(ChainLine, ArcsOfOneWireShareItsWeightByTheirLength) {
   }
 }
 
+// An arc round an edge has two lines, which already share the weight of the arc by their lengths: 0.3 mm and 0.1 mm of 0.8 mm.
+TEST(ChainLine, AnArcWithTwoLinesHasTheShareOfBoth) {
+  ContactSet set;
+  lie(set, 0, 0.4e-3, true);
+  lie(set, 1, 0.3e-3, true), lie(set, 1, 0.1e-3, true);
+  for (size_t i = 2; i < 6; ++i) set.contact[i].weight *= i < 4 ? 0.75 : 0.25;
+  set.contact[4].feature += 0x100, set.contact[5].feature += 0x100;
+  share_chain_lines(chain(SWAGE_MOTION_FLEXIBLE), set, 0);
+  EXPECT_NEAR(set.contact[0].weight, 0.5 * 0.5, 1e-12);
+  EXPECT_NEAR(set.contact[2].weight, 0.5 * 0.375, 1e-12);
+  EXPECT_NEAR(set.contact[4].weight, 0.5 * 0.125, 1e-12);
+  EXPECT_NEAR(weight(set), 1, 1e-12);
+}
+
 TEST(ChainLine, LeavesTheRestAlone) {
   // one arc only; two needles that are rigid; a single point; another pair's contacts
   ContactSet one;

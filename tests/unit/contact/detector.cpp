@@ -180,43 +180,69 @@ TEST(Detector, RefusesOptionsOutOfRange) {
   EXPECT_THROW(Grasp({}, o), std::invalid_argument);
 }
 
-// A wire of two arcs, as good as straight, lies across the lower jaw with 1 um overlap. Where it rises by less than the thickness of an
-// atom over one of them, the minimum at the joint belongs to the other; both lie on the face all the same and share its weight.
-TEST(Detector, EveryArcOfAWireThatLiesOnAFaceTouchesIt) {
-  constexpr double kRadius = 30, kSweep = 0.5e-3 / kRadius;
+/// Contacts of a wire of two arcs of 0.6 mm, as good as straight, across the lower jaw, which is 0.5 mm wide there, with 1 um overlap. The
+/// wire is tilted by `tilt` [rad] about its joint, which is `aside` [m] of the middle.
+ContactSet two_arcs_on_a_jaw(double tilt, double aside) {
+  constexpr double kRadius = 30, kSweep = 0.6e-3 / kRadius;
   const Needle n;
-  for (const double tilt : {-1e-5, -1e-6, 0.0, 1e-6, 1e-5}) {
-    scene::World w;
-    w.body.resize(3);
-    w.shape = {bench::needle_shape(n), bench::needle_shape(n), bench::convex_shape()};
-    w.convex = {bench::convex(bench::jaw(-1))};
-    for (uint32_t i = 0; i < 3; ++i) {
-      w.body[i].motion = i < 2 ? SWAGE_MOTION_FLEXIBLE : SWAGE_MOTION_FIXED;
-      w.body[i].start = Pose().abi();
-      w.shape[i].body = i, w.body[i].object = w.shape[i].object = i < 2 ? 0 : 1;
-    }
-    w.shape[2].convex = 0;
-    const toolkit::Quat rise = toolkit::exp_rotation({tilt, 0, 0});
-    const Vec3 grip(bench::Jaw::kGrip, 0, n.wire_radius() - 1e-6);
-    for (int i = 0; i < 2; ++i) {
-      scene::Shape& s = w.shape[static_cast<size_t>(i)];
-      s.kind = SWAGE_SHAPE_ARC, s.arc_radius = kRadius, s.sweep = kSweep;
-      s.bounding_radius = 2 * kRadius;
-      // its arc starts on its own +x axis, at the joint or one sweep before it
-      const Pose X_WA(grip - rise * Vec3(kRadius, 0, 0),
-                      rise * toolkit::exp_rotation({0, 0, (i - 1) * kSweep}));
-      s.X_BS = X_WA.abi();
-    }
-    scene::reset(w);
-    Detector detector(w, Grasp::pairs(), {});
-    ContactSet set;
-    detector.reserve(set);
-    detector.detect(w, set);
-    double weight[2] = {};
-    for (const Contact& c : set.contact) weight[std::min(c.shape_a, c.shape_b)] += c.weight;
-    EXPECT_NEAR(weight[0], 0.5, 1e-3) << tilt;
-    EXPECT_NEAR(weight[1], 0.5, 1e-3) << tilt;
+  scene::World w;
+  w.body.resize(3);
+  w.shape = {bench::needle_shape(n), bench::needle_shape(n), bench::convex_shape()};
+  w.convex = {bench::convex(bench::jaw(-1))};
+  for (uint32_t i = 0; i < 3; ++i) {
+    w.body[i].motion = i < 2 ? SWAGE_MOTION_FLEXIBLE : SWAGE_MOTION_FIXED;
+    w.body[i].start = Pose().abi();
+    w.shape[i].body = i, w.body[i].object = w.shape[i].object = i < 2 ? 0 : 1;
   }
+  w.shape[2].convex = 0;
+  const toolkit::Quat rise = toolkit::exp_rotation({tilt, 0, 0});
+  const Vec3 joint(bench::Jaw::kGrip, aside, n.wire_radius() - 1e-6);
+  for (int i = 0; i < 2; ++i) {
+    scene::Shape& s = w.shape[static_cast<size_t>(i)];
+    s.kind = SWAGE_SHAPE_ARC, s.arc_radius = kRadius, s.sweep = kSweep;
+    s.bounding_radius = 2 * kRadius;
+    // its arc starts on its own +x axis, at the joint or one sweep before it
+    const Pose X_WA(joint - rise * Vec3(kRadius, 0, 0), rise * toolkit::exp_rotation({0, 0, (i - 1) * kSweep}));
+    s.X_BS = X_WA.abi();
+  }
+  scene::reset(w);
+  Detector detector(w, Grasp::pairs(), {});
+  ContactSet set;
+  detector.reserve(set);
+  detector.detect(w, set);
+  return set;
+}
+
+/// Sum of the weights of the contacts of one of the arcs.
+double weight_of(const ContactSet& set, uint32_t arc) {
+  double sum = 0;
+  for (const Contact& c : set.contact)
+    if (std::min(c.shape_a, c.shape_b) == arc) sum += c.weight;
+  return sum;
+}
+
+// Where the wire rises by less than the thickness of an atom over one of its arcs, the minimum at the joint belongs to the other; both lie
+// on the face all the same and share its weight.
+TEST(Detector, EveryArcOfAWireThatLiesOnAFaceTouchesIt) {
+  for (const double tilt : {-1e-5, -1e-6, 0.0, 1e-6, 1e-5}) {
+    const ContactSet set = two_arcs_on_a_jaw(tilt, 0);
+    EXPECT_NEAR(weight_of(set, 0), 0.5, 1e-3) << tilt;
+    EXPECT_NEAR(weight_of(set, 1), 0.5, 1e-3) << tilt;
+  }
+}
+
+// Cut 10 to 50 um inside the edge of the jaw, the wire touches along the same line. A point beside it, at the cut or at the edge by the
+// sign of the tilt, would make the wire rock from step to step.
+TEST(Detector, AWireCutBesideAnEdgeTouchesAlongOneLine) {
+  constexpr double kHalf = 0.25e-3;  // m, half the width of the jaw
+  for (const double from_edge : {10e-6, 20e-6, 33e-6, 50e-6})
+    for (const double side : {-1.0, 1.0})
+      for (const double tilt : {-2e-3, -1e-5, 1e-5, 2e-3}) {
+        const ContactSet set = two_arcs_on_a_jaw(tilt, side * (kHalf - from_edge));
+        for (const Contact& c : set.contact) EXPECT_NE(c.feature & 0xF, 0u) << from_edge << ", " << side << ", " << tilt;
+        EXPECT_NEAR(weight_of(set, side > 0 ? 1 : 0), from_edge / (2 * kHalf), 1e-3);
+        EXPECT_NEAR(weight_of(set, side > 0 ? 0 : 1), 1 - from_edge / (2 * kHalf), 1e-3);
+      }
 }
 
 }  // namespace detector_test
