@@ -39,6 +39,7 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   view_ = new SceneView(this);
   view_->setObjectName(QStringLiteral("other_view"));
   view_->setAccessibleName(tr("The other attempt, replayed"));
+  view_->set_whole_width(kWholeShape);
   column->addWidget(view_, 1);
   problem_ = make_muted({}, this);
   problem_->setObjectName(QStringLiteral("other_problem"));

@@ -23,6 +23,10 @@ struct CommonEvent {
 };
 QVector<CommonEvent> common_events(const Review& first, const Review& other);
 
+/// Shape (width over height) of a single picture on the Review page; two that are compared are narrower and show as much across, so that the
+/// instrument is not cut off.
+inline constexpr float kWholeShape = 1.7F;
+
 class Comparison : public QWidget {
   Q_OBJECT
  public:

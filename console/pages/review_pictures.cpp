@@ -18,6 +18,7 @@ ReviewPictures::ReviewPictures(const ReviewedAttempt& attempt, QWidget* parent)
   view_ = new SceneView(this);
   view_->setObjectName(QStringLiteral("review_view"));
   view_->setAccessibleName(tr("The attempt, replayed"));
+  view_->set_whole_width(kWholeShape);
   row_ = new QHBoxLayout;
   row_->setSpacing(8);
   row_->addWidget(view_, 1);
