@@ -72,6 +72,17 @@ TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {
   EXPECT_FALSE(child<QAction>("save_swage")->isEnabled());
 }
 
+TEST_F(ReviewPages, ASecondAttemptIsAnOption) {
+  attempts = sample_attempts();
+  launch.review = "latest";
+  launch.compare = QString::fromStdString(attempts.back().id);
+  open();
+  EXPECT_TRUE(review()->comparing());
+  EXPECT_TRUE(child<QLabel>("other_title")->isVisible());
+  review()->end_comparison();
+  EXPECT_FALSE(child<QLabel>("other_title")->isVisible());
+}
+
 TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
   open_review();
   console::Timeline* timeline = review()->timeline();
