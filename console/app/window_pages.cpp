@@ -18,7 +18,7 @@ WindowPages::WindowPages(Services& services, const SharedModels& models, StatusS
   add_review(services);
   add_setup();
   add_stations();
-  people_->set_export(std::move(services.read_export));
+  people_->files()->set_export(std::move(services.read_export));
   connect_people();
   set_metric_finder();
 }
