@@ -43,6 +43,7 @@ QList<QCommandLineOption> all_options() {
       option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, shutter, one, left or right."), "layout"),
       option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review, setup or stations."), "page"),
       option("review", QT_TRANSLATE_NOOP("command_line", "Open a recorded attempt: its id, or latest."), "attempt"),
+      option("compare", QT_TRANSLATE_NOOP("command_line", "Beside the recorded attempt another one at the same lesson: its id."), "attempt"),
       option("size", QT_TRANSLATE_NOOP("command_line", "Size of the window, as in 1440x900."), "size"),
       option("screenshot", QT_TRANSLATE_NOOP("command_line", "Write a picture of the window (with --trainee: of the trainee's) and quit."),
              "file.png"),
@@ -76,6 +77,7 @@ void take_options(const QCommandLineParser& parser, Launch& launch) {
   launch.trainee = text("trainee");
   launch.page = text("page");
   launch.review = text("review");
+  launch.compare = text("compare");
   launch.screenshot = text("screenshot");
   launch.screenshot_at_s = text("at").toDouble();
   const QStringList size = text("size").split(QLatin1Char('x'));

@@ -21,6 +21,7 @@ struct Launch {
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none
   QString page;                // Page::id: "run", "people"...
   QString review;              // attempt to open on the Review page, "latest" for the newest
+  QString compare;             // id of the attempt beside it, "" for none
   QString attempt_file;        // kept attempt to open on the Review page
   QString screenshot;          // file to write the picture of the window to, then quit
   double screenshot_at_s = 0;  // simulated time, s; without an attempt, s since the window was shown

@@ -157,6 +157,7 @@ void MainWindow::open_given(const Launch& launch) {
   if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);
   if (!launch.review.isEmpty()) {
     attempts_->open_at(launch.review, launch.start ? std::nullopt : std::optional(launch.screenshot_at_s));
+    if (!launch.compare.isEmpty()) review_page()->compare(launch.compare);
     if (view) review_page()->view()->look(*view);
   }
   if (!launch.attempt_file.isEmpty()) review_file(launch.attempt_file);

@@ -18,7 +18,7 @@ WindowPages::WindowPages(Services& services, const SharedModels& models, StatusS
   add_review(services);
   add_setup();
   add_stations();
-  people_->set_export(std::move(services.read_export));
+  people_->files()->set_export(std::move(services.read_export));
   connect_people();
   set_metric_finder();
 }
@@ -64,8 +64,8 @@ void WindowPages::add_people() {
 void WindowPages::add_review(Services& services) {
   review_ = new ReviewPage(std::move(services.read_recording), std::move(services.open_player), all_);
   review_->set_desk(models_.desk);
-  review_->set_export(services.read_export);
-  review_->set_file_services(std::move(services.open_file), std::move(services.read_file));
+  review_->attempt().set_export(services.read_export);
+  review_->attempt().set_file_services(std::move(services.open_file), std::move(services.read_file));
   all_->add({QStringLiteral("review"), tr("Review"), tr("What happened in that attempt?"), review_, true,
              [this] { review_->setFocus(); },
              [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view(),
@@ -111,7 +111,7 @@ void WindowPages::set_metric_finder() {
                    : run_->metric_said(index.data(LessonsModel::kPath).toString(), metric);
   };
   people_->person()->set_metric_finder(metric_said);
-  review_->set_metric_finder(metric_said);
+  review_->attempt().set_metric_finder(metric_said);
 }
 
 // The metrics of the card of the lesson's plugin.

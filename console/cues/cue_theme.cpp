@@ -14,12 +14,27 @@
 namespace swage::console {
 namespace {
 
+constexpr double kDiagonal = 0.7071;  // of a ring's radius along x and y, where a line at 45 degrees meets it
+
 QPainterPath sign_path(QChar sign, const QRectF& r) {
   QPainterPath path;
   switch (sign.toLatin1()) {
     case 'O':
     case 'o':
       path.addEllipse(r);
+      break;
+    case 'N':  // the ring crossed through: not here
+      path.addEllipse(r);
+      path.moveTo(r.center() - QPointF(kDiagonal, kDiagonal) * 0.5 * r.width());
+      path.lineTo(r.center() + QPointF(kDiagonal, kDiagonal) * 0.5 * r.width());
+      break;
+    case 'H':  // a stretch with a collar at either end, as a region is marked in the picture
+      path.moveTo(r.left(), r.top());
+      path.lineTo(r.left(), r.bottom());
+      path.moveTo(r.right(), r.top());
+      path.lineTo(r.right(), r.bottom());
+      path.moveTo(r.left(), r.center().y());
+      path.lineTo(r.right(), r.center().y());
       break;
     case 'V':
     case 'v':

@@ -23,7 +23,7 @@ struct CueForce {
 };
 
 /// The style of one meaning. `shape` is a row of signs: O o filled and hollow circle, V v triangle, D d
-/// diamond, + x crosses, * tick, ! warning, ~ bend, - dash. `sound` is a name of tones.hpp or "".
+/// diamond, N ring crossed through, H marked stretch, + x crosses, * tick, ! warning, ~ bend, - dash. `sound` is a name of tones.hpp or "".
 struct CueStyle {
   QColor colour;
   QString shape, text, sound;

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/live_params.hpp"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "assembly/lesson_file.hpp"
 #include "console/models/environment_params.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int kMostLeastWords = 28;  // letters that a field has room for; longer words are left to the tooltip
 
 struct Use {
   std::string name, plugin;
@@ -39,6 +44,14 @@ std::vector<Use> uses(const assembly::LessonFile& lesson, const std::vector<Use>
   out.insert(out.end(), objects.begin(), objects.end());
   for (const assembly::LessonCoupling& c : lesson.couplings) out.push_back({c.name, c.plugin, c.params});
   return out;
+}
+
+// The value of "3/8"; no value for other words, and none for a division by zero.
+std::optional<double> fraction(const std::string& words) {
+  static const QRegularExpression form(QStringLiteral("^(\\d+)/(\\d+)$"));
+  const QRegularExpressionMatch m = form.match(QString::fromStdString(words));
+  if (!m.hasMatch() || m.captured(2).toInt() == 0) return std::nullopt;
+  return m.captured(1).toDouble() / m.captured(2).toDouble();
 }
 
 double nice(double value) {
@@ -80,6 +93,38 @@ double LiveParam::step() const {
 int LiveParam::decimals() const {
   if (param.type == SWAGE_PARAM_INTEGER) return 0;
   return std::clamp(static_cast<int>(std::ceil(1 - std::log10(step()))), 0, 6);
+}
+
+QString LiveParam::least_text() const {
+  if (!least_words.empty()) return said(least_words, folder);
+  // "0: never." or "0 for none." of a parameter from 0 on; "Below 0: as the suture says." of one from a negative value on
+  static const QRegularExpression form(QStringLiteral("(?:^|[.;] )(\\p{L}+ )?0(?:: | for | für )([^.;]+)"));
+  const QRegularExpressionMatch m = form.match(said(param.doc, folder));
+  const bool least_is_meant = param.min == 0 || (param.min < 0 && m.hasCaptured(1) && !m.captured(1).isEmpty());
+  if (!m.hasMatch() || !least_is_meant || param.type == SWAGE_PARAM_VECTOR) return {};
+  return m.captured(2).size() <= kMostLeastWords ? m.captured(2) : QString();
+}
+
+bool LiveParam::is_range() const {
+  return param.type == SWAGE_PARAM_VECTOR && param.dimension == 2 && param.default_number[0] < param.default_number[1];
+}
+
+QVector<LiveParam::Entry> LiveParam::entries() const {
+  QVector<Entry> out;
+  std::vector<std::optional<double>> values;  // of the entries that are fractions
+  for (size_t i = 0; i < param.choices.size(); ++i) {
+    const std::optional<double> value = fraction(param.choices[i]);
+    const auto same = value ? std::find(values.begin(), values.end(), value) : values.end();
+    if (same != values.end()) {
+      Entry& entry = out[same - values.begin()];
+      entry.words += QStringLiteral(" = %1").arg(said(param.choices[i], folder));
+      entry.choices += static_cast<int>(i);
+      continue;
+    }
+    values.push_back(value);
+    out += {said(param.choices[i], folder), {static_cast<int>(i)}};
+  }
+  return out;
 }
 
 std::string LiveParam::json(const std::array<double, 4>& v) const {

@@ -22,7 +22,7 @@ struct LiveParam {
   std::string folder = {};        // of the plugin's bundle, for its translations
   std::string follows = {};       // a choice of this instance on which the start value depends; "" for none
   std::vector<double> start_of = {};  // start values by that choice, SI; NaN where the parameter has no meaning
-  std::string least_words = {};   // text shown instead of the least value; "" for none
+  std::string least_words = {};   // text shown instead of the least value; "" for what the documentation says of it
 
   /// From SI to the display unit: 1000 for a length in mm.
   double factor() const;
@@ -30,6 +30,17 @@ struct LiveParam {
   /// Step of a spin box in the display unit: about a hundredth of the range or a twentieth of the value, rounded to 1, 2 or 5.
   double step() const;
   int decimals() const;
+  /// What the least value stands for, to be shown in its place: of "... 0: as the model says." in the documentation "as the model says",
+  /// in the language of the window. "" where it is a value like any other.
+  QString least_text() const;
+  /// True for a range, whose two numbers are its ends: their defaults ascend. A size over x and y is no range.
+  bool is_range() const;
+  /// The choices for a list. Fractions of one value, such as 1/4 and 2/8, are one entry that names both.
+  struct Entry {
+    QString words;
+    QVector<int> choices;  // indices; the first one is set by the entry
+  };
+  QVector<Entry> entries() const;
   /// The JSON object for session::Session::change; `value` SI.
   std::string json(const std::array<double, 4>& value) const;
 };

@@ -10,6 +10,12 @@
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
+namespace {
+
+constexpr int kTitle = 3, kAlign = 2;  // shares of the row: a name, a date and a verdict are longer than an event
+constexpr int kAlignLetters = 10;      // of an event, at least
+
+}  // namespace
 
 QVector<CommonEvent> common_events(const Review& first, const Review& other) {
   QVector<CommonEvent> out;
@@ -29,37 +35,45 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  title_ = new ElidedLabel(this);
-  title_->setObjectName(QStringLiteral("other_title"));
-  column->addWidget(title_);  // on a line of its own: beside the controls only a few letters of a name fit
-  auto* head = new QHBoxLayout;
-  auto* label = make_muted(tr("Align"), this);
-  label->setWordWrap(false);
-  head->addWidget(label);
-  align_ = new QComboBox(this);
-  align_->setObjectName(QStringLiteral("align"));
-  align_->setAccessibleName(tr("Align the attempts at"));
-  align_->setToolTip(tr("What lies at the same place of the timeline in both attempts"));
-  label->setBuddy(align_);
-  head->addWidget(align_, 1);
-  ghost_ = new QCheckBox(tr("Ghost"), this);
-  ghost_->setObjectName(QStringLiteral("ghost"));
-  ghost_->setChecked(true);
-  ghost_->setToolTip(tr("Show these instruments in the other picture, too, seen through (G)"));
-  head->addWidget(ghost_);
-  auto* close = make_button(QStringLiteral("✕"), {}, QStringLiteral("close_comparison"), this);
-  close->setAccessibleName(tr("End the comparison"));
-  close->setToolTip(tr("End the comparison (Esc)"));
-  head->addWidget(close);
-  column->addLayout(head);
+  make_head();
   view_ = new SceneView(this);
   view_->setObjectName(QStringLiteral("other_view"));
   view_->setAccessibleName(tr("The other attempt, replayed"));
+  view_->set_whole_width(kWholeShape);
   column->addWidget(view_, 1);
   problem_ = make_muted({}, this);
   problem_->setObjectName(QStringLiteral("other_problem"));
   problem_->hide();
   column->addWidget(problem_);
+}
+
+void Comparison::make_head() {
+  head_ = new QWidget(parentWidget());
+  auto* row = new QHBoxLayout(head_);
+  row->setContentsMargins(0, 0, 0, 0);
+  title_ = new ElidedLabel(head_);
+  title_->setObjectName(QStringLiteral("other_title"));
+  row->addWidget(title_, kTitle);
+  auto* label = make_muted(tr("Align"), head_);
+  label->setWordWrap(false);
+  row->addWidget(label);
+  align_ = new QComboBox(head_);
+  align_->setObjectName(QStringLiteral("align"));
+  align_->setAccessibleName(tr("Align the attempts at"));
+  align_->setToolTip(tr("What lies at the same place of the timeline in both attempts"));
+  align_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  align_->setMinimumContentsLength(kAlignLetters);
+  label->setBuddy(align_);
+  row->addWidget(align_, kAlign);
+  ghost_ = new QCheckBox(tr("Ghost"), head_);
+  ghost_->setObjectName(QStringLiteral("ghost"));
+  ghost_->setChecked(true);
+  ghost_->setToolTip(tr("Show these instruments in the other picture, too, seen through (G)"));
+  row->addWidget(ghost_);
+  auto* close = make_button(QStringLiteral("✕"), {}, QStringLiteral("close_comparison"), head_);
+  close->setAccessibleName(tr("End the comparison"));
+  close->setToolTip(tr("End the comparison (Esc)"));
+  row->addWidget(close);
   connect(align_, &QComboBox::currentIndexChanged, this, &Comparison::aligned);
   connect(ghost_, &QCheckBox::toggled, this, &Comparison::ghost_changed);
   connect(close, &QPushButton::clicked, this, &Comparison::closed);

@@ -23,6 +23,10 @@ struct CommonEvent {
 };
 QVector<CommonEvent> common_events(const Review& first, const Review& other);
 
+/// Shape (width over height) of a single picture on the Review page; two that are compared are narrower and show as much across, so that the
+/// instrument is not cut off.
+inline constexpr float kWholeShape = 1.7F;
+
 class Comparison : public QWidget {
   Q_OBJECT
  public:
@@ -35,6 +39,8 @@ class Comparison : public QWidget {
   const Review& review() const { return review_; }
   const record::Recording& recording() const { return recording_; }
   SceneView* view() { return view_; }
+  /// Whose attempt it is, alignment and ghost: a row for the place above both pictures, so that both have one height.
+  QWidget* head() { return head_; }
   const Player* player() const { return player_.get(); }
   /// Time t of the first attempt corresponds to t + later_s() of this one.
   double later_s() const;
@@ -52,12 +58,14 @@ class Comparison : public QWidget {
   void closed();
 
  private:
+  void make_head();
   void fill_events(const Review& first);
 
   record::Recording recording_;  // outlives the player
   Review review_;
   std::unique_ptr<Player> player_;
   std::unique_ptr<snapshot::Snapshot> snapshot_;
+  QWidget* head_ = nullptr;
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QComboBox* align_ = nullptr;
   QCheckBox* ghost_ = nullptr;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "console/models/people_courses.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -19,7 +20,8 @@ constexpr int kWatch_ms = 2000;  // interval at which changes by other programs 
 }  // namespace
 
 PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
-    : QWidget(parent), link_(link), desk_(desk), people_(new PeopleModel(this)), sorted_(new QSortFilterProxyModel(this)) {
+    : QWidget(parent), link_(link), desk_(desk), people_(new PeopleModel(this)), sorted_(new QSortFilterProxyModel(this)),
+      edits_(new PeopleEdits(people_, desk_, this)) {
   sorted_->setSourceModel(people_);
   sorted_->setSortRole(PeopleModel::kSortRole);
   sorted_->setFilterRole(PeopleModel::kGroupRole);
@@ -31,6 +33,7 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(make_people());
   person_ = new PersonPanel(splitter);
+  files_ = new PeopleFiles({people_, person_, desk_, link_}, this);
   splitter->addWidget(person_);
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
@@ -54,8 +57,13 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
     return experts_of(experts_at(lesson, experts), experts, lesson, metric);
   });
   person_->set_group_finder([this](const std::string& lesson) { return attempts_of(all_chosen(), lesson); });
-  connect(person_, &PersonPanel::void_attempt, this, &PeoplePage::void_attempt);
-  connect(person_, &PersonPanel::give_attempt, this, &PeoplePage::give_attempt);
+  connect(person_, &PersonPanel::void_attempt, this, [this] { edits_->void_attempt(person_->chosen_row()); });
+  connect(person_, &PersonPanel::give_attempt, this, [this] { edits_->give_attempt(person_->chosen_row()); });
+  connect(edits_, &PeopleEdits::added, this, &PeoplePage::select_person);
+  connect(files_, &PeopleFiles::told, this, [this](const QString& words) {
+    problem_->setText(words);
+    problem_->show();
+  });
 }
 
 // looks for changes by other programs and stations, while the page is visible
@@ -101,6 +109,47 @@ QWidget* PeoplePage::make_people() {
   return card.frame;
 }
 
+void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
+  const auto add = [&](const QString& words, const char* key, const char* name, const QString& tip, auto call) {
+    auto* button = make_button(words, {}, QString::fromLatin1(name), parent);
+    button->setToolTip(tip);
+    if (key) give_key(button, QString::fromLatin1(key));
+    connect(button, &QPushButton::clicked, this, call);
+    row->addWidget(button);
+    return button;
+  };
+  add(tr("Add…"), "Ctrl+N", "add_person", tr("Add a person"), [this] { edits_->add_person(); });
+  add(tr("Paste a list…"), "Ctrl+L", "add_list", tr("Add a list of people, with a preview"), [this] { edits_->add_list(); });
+  row->addSpacing(10);
+  of_person_ += add(tr("Change…"), "F2", "change_person", tr("Name, group and hand of the chosen person"),
+                    [this] { edits_->change_person(chosen()); });
+  of_person_ += add(tr("Assign…"), "Ctrl+Shift+A", "assign_course", tr("Give the chosen people, or a group, a course"),
+                    [this] { edits_->assign_course(all_chosen(), chosen()); });
+  of_person_ += add(tr("Report…"), "Ctrl+R", "report_person", tr("Pages about the chosen person and lesson, to print; of several people the one chosen last"),
+                    [this] { files_->report(chosen(), all_chosen().size()); });
+  of_person_ += add(tr("Group…"), "Ctrl+G", "report_group",
+                    tr("A page to print with a table of the chosen people, or of all who are listed where only one is chosen: lessons passed, "
+                       "attempts, last score, who needs attention"),
+                    [this] { report_group(); });
+  of_person_ += add(tr("Export…"), "Ctrl+E", "export_person",
+                    tr("The chosen person's attempts as a table, under the code and without the name"), [this] { files_->export_attempts(chosen()); });
+  of_person_ += add(tr("Erase…"), "Shift+Del", "erase_person", tr("The chosen person and everything of theirs, for good"),
+                    [this] { edits_->erase_person(chosen()); });
+}
+
+// the chosen people, or all who are listed where only one is chosen
+void PeoplePage::report_group() {
+  std::vector<std::string> people = all_chosen();
+  const auto listed = static_cast<std::size_t>(sorted_->rowCount());
+  if (people.size() < 2) {
+    people.clear();
+    for (int i = 0; i < sorted_->rowCount(); ++i) people.push_back(sorted_->index(i, 0).data(PeopleModel::kId).toString().toStdString());
+  }
+  const bool all = people.size() == listed;
+  const QString group = group_->currentIndex() > 0 ? group_->currentText() : tr("Everybody");
+  files_->report_group(people, all ? group : tr("%1 people").arg(people.size()));
+}
+
 QWidget* PeoplePage::make_empty() {
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
@@ -116,10 +165,10 @@ QWidget* PeoplePage::make_empty() {
     buttons->addWidget(button);
     return button;
   };
-  add(tr("Run a lesson"), QStringLiteral("Ctrl+1"), "run_lesson", &PeoplePage::run_lesson);
-  add(tr("Add a person…"), QStringLiteral("Ctrl+N"), "first_person", &PeoplePage::add_person)
+  add(tr("Run a lesson"), QStringLiteral("Ctrl+1"), "run_lesson", [this] { Q_EMIT run_lesson(); });
+  add(tr("Add a person…"), QStringLiteral("Ctrl+N"), "first_person", [this] { edits_->add_person(); })
       ->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
-  add(tr("Paste a list…"), QStringLiteral("Ctrl+L"), "first_list", &PeoplePage::add_list)
+  add(tr("Paste a list…"), QStringLiteral("Ctrl+L"), "first_list", [this] { edits_->add_list(); })
       ->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   buttons->addStretch(1);
   column->addStretch(2);
@@ -133,6 +182,23 @@ QWidget* PeoplePage::make_empty() {
 void PeoplePage::show_empty(const QString& words) {
   empty_->setText(words);
   stack_->setCurrentIndex(1);
+}
+
+void PeoplePage::fill_groups() {
+  record::School* school = desk_->school();
+  if (!school) return;
+  const QVariant before = group_->currentData();
+  groups_.clear();
+  group_->clear();
+  group_->addItem(tr("All groups"), QString());
+  for (const record::Group& g : school->groups()) {
+    if (!g.archived_utc.empty()) continue;
+    groups_.insert(QString::fromStdString(g.id), QString::fromStdString(g.name));
+    group_->addItem(QString::fromStdString(g.name), QString::fromStdString(g.id));
+  }
+  group_->setCurrentIndex(std::max(0, group_->findData(before)));
+  group_->setVisible(!groups_.isEmpty());
+  edits_->set_groups(groups_);
 }
 
 QString PeoplePage::chosen() const {
@@ -155,7 +221,7 @@ void PeoplePage::refresh() {
   lesson_read_.clear();
   if (!link_->reads()) return show_empty(link_->problem());
   fill_groups();
-  people_->set_people(people, heads, groups_, courses_of(people));
+  people_->set_people(people, heads, groups_, desk_->school() ? courses_of(*desk_->school(), people) : QHash<QString, QString>());
   problem_->hide();
   show_count();
   if (people.empty())

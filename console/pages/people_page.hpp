@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The People page: all people, those who need attention first, and below the selected one. Changes go through the desk.
+// The People page: all people, those who need attention first, and below the selected one. Changes go through the desk (PeopleEdits), files are
+// written by PeopleFiles.
 #pragma once
 
 #include <QComboBox>
@@ -15,8 +16,9 @@
 
 #include "console/link/school_desk.hpp"
 #include "console/link/store_link.hpp"
-#include "console/models/made_with.hpp"
 #include "console/models/people_model.hpp"
+#include "console/pages/people_edits.hpp"
+#include "console/pages/people_files.hpp"
 #include "console/pages/person_panel.hpp"
 
 namespace swage::console {
@@ -26,13 +28,13 @@ class PeoplePage : public QWidget {
  public:
   /// Both outlive the page.
   PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent = nullptr);
-  /// Sets the reader of attempts for exports.
-  void set_export(ExportReader reader) { exported_ = std::move(reader); }
   void set_theme(const UiTheme& theme) { person_->set_theme(theme); }
   PeopleModel* people() { return people_; }
   PersonPanel* person() { return person_; }
   AttemptsModel* attempts() { return person_->attempts(); }
   MetricChart* chart() { return person_->chart(); }
+  PeopleFiles* files() { return files_; }
+  QString chosen() const;  // id of the selected person, "" for none
 
  public Q_SLOTS:
   /// Reads the store again; keeps the selected person and lesson if they still exist.
@@ -40,20 +42,6 @@ class PeoplePage : public QWidget {
   void select_person(const QString& name);
   /// Moves the focus to the table of people, where Enter shows the attempts of one.
   void focus_people() { table_->setFocus(); }
-  void add_person();
-  void add_list();
-  void change_person();
-  void erase_person();
-  void export_person();
-  /// Writes a report on the selected person and lesson. Returns "" or the error.
-  QString write_report_to(const QString& file);
-  /// Writes all attempts of the selected person as a table. Returns "" or the error.
-  QString write_attempts_to(const QString& file);
-  void report_person();
-  void void_attempt();
-  void give_attempt();
-  /// Assigns a course to the selected people or a group.
-  void assign_course();
 
  Q_SIGNALS:
   void run_lesson();
@@ -63,22 +51,17 @@ class PeoplePage : public QWidget {
   QWidget* make_empty();
   void add_buttons(QHBoxLayout* row, QWidget* parent);
   void fill_groups();
-  QStringList taken_names(const QString& but = {}) const;
-  QString export_file(const QString& what, const QString& ending) const;
   void look();
   void show_empty(const QString& words);
   void show_count();
   void show_chosen();
-  QString chosen() const;  // id of the selected person, "" for none
   std::vector<std::string> all_chosen() const;
   std::vector<record::AttemptRow> attempts_of(const std::vector<std::string>& people, const std::string& lesson);
   const std::vector<record::AttemptRow>& experts_at(const std::string& lesson, const std::vector<std::string>& experts);
-  QHash<QString, QString> courses_of(const std::vector<record::Person>& people);
   void choose(const QString& id);
 
-  std::vector<record::Exported> exported(const std::string& lesson_id);
+  void report_group();
 
-  ExportReader exported_;
   StoreLink* link_;
   SchoolDesk* desk_;
   QTimer watch_;  // polls for changes by other programs
@@ -90,6 +73,8 @@ class PeoplePage : public QWidget {
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   PersonPanel* person_ = nullptr;
+  PeopleEdits* edits_ = nullptr;
+  PeopleFiles* files_ = nullptr;
   QLabel *empty_ = nullptr, *count_ = nullptr, *problem_ = nullptr;
   QComboBox* group_ = nullptr;
   QHash<QString, QString> groups_;  // name by id

@@ -3,31 +3,26 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QResizeEvent>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 
-#include "console/models/said.hpp"
-#include "console/models/words.hpp"
+#include "console/pages/attempt_chooser.hpp"
 #include "console/pages/comparison.hpp"
+#include "console/pages/review_tables.hpp"
 #include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
-namespace {
-
-constexpr int kTick_ms = 33;  // 30 pictures a second suffice for playback
-constexpr uint64_t kMostSteps =
-    300;  // steps computed between two pictures: the window stays responsive on a slow machine
-
-}  // namespace
 
 ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* parent)
     : QWidget(parent),
-      reader_(std::move(reader)),
-      opener_(std::move(opener)),
-      snapshot_(std::make_unique<snapshot::Snapshot>()) {
+      attempt_(std::move(reader), std::move(opener)),
+      playback_({[this](double time_s, uint64_t most) { return pictures_->toward(time_s, most); },
+                 [this]() -> std::optional<double> {
+                   if (!attempt_.player()) return std::nullopt;
+                   return static_cast<double>(attempt_.player()->at()) * attempt_.review().dt_s;
+                 }}) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 6);
   column->setSpacing(8);
@@ -40,7 +35,8 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   auto* upper = new QHBoxLayout;
   upper->setSpacing(12);
   upper->addWidget(make_view(), 3);
-  upper->addWidget(make_side(), 2);
+  side_ = new ReviewSide(this);
+  upper->addWidget(side_, 2);
   rows->addLayout(upper, 5);
   timeline_ = new Timeline(full);
   timeline_->setProperty("card", true);
@@ -49,12 +45,41 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   pages_->addWidget(make_empty());
   column->addWidget(pages_, 1);
   show_problem(tr("Choose an attempt on the People page and press Enter, or open one that was saved to a file (Ctrl+O)."));
-
-  connect(timeline_, &Timeline::moved, this, &ReviewPage::go);
-  timer_.setInterval(kTick_ms);
-  connect(&timer_, &QTimer::timeout, this, &ReviewPage::tick);
+  connect_parts();
   add_keys();
   offer_picture(timeline_, QStringLiteral("traces"));
+}
+
+void ReviewPage::connect_parts() {
+  connect(timeline_, &Timeline::moved, this, &ReviewPage::go);
+  connect(&playback_, &Playback::moved, this, [this](double time_s) {
+    timeline_->set_cursor(time_s);
+    side_->set_cursor(time_s);
+    transport_->set_time(time_s);
+  });
+  connect(&playback_, &Playback::playing_changed, transport_, &ReviewTransport::set_playing);
+  connect(&playback_, &Playback::looped, timeline_, &Timeline::set_loop);
+  connect(transport_, &ReviewTransport::gone_to, this, &ReviewPage::go);
+  connect(transport_, &ReviewTransport::stepped, this, [this](double by_s) { go(timeline_->cursor() + by_s); });
+  connect(transport_, &ReviewTransport::play_pressed, this, &ReviewPage::toggle_play);
+  connect(transport_, &ReviewTransport::looped, &playback_, &Playback::set_loop);
+  connect(transport_, &ReviewTransport::speed_chosen, &playback_, &Playback::set_speed);
+  connect(transport_, &ReviewTransport::looked, pictures_, &ReviewPictures::look);
+  connect(transport_, &ReviewTransport::forces_shown, view(), &SceneView::set_forces_shown);
+  connect(side_, &ReviewSide::chosen, this, &ReviewPage::go);
+  connect(side_, &ReviewSide::loop, this, &ReviewPage::loop_here);
+  connect(side_, &ReviewSide::traces_shown, timeline_, &Timeline::set_shown);
+  connect(side_, &ReviewSide::rated, this, &ReviewPage::rate);
+  connect(pictures_, &ReviewPictures::cues_on, side_->legend(), &CueLegend::set_active);
+  connect(pictures_, &ReviewPictures::aligned, this, &ReviewPage::show_other);
+  connect(pictures_, &ReviewPictures::ended, this, &ReviewPage::show_compared);
+  connect(pictures_, &ReviewPictures::differs, this, [this](double from_s) {
+    if (note_->isVisible()) return;
+    show_note(tr("From %L1 s on the picture is not the attempt bit for bit: it was recorded with another "
+                 "version of a plugin. "
+                 "Traces, events and metrics are as recorded.")
+                  .arg(from_s, 0, 'f', 2));
+  });
 }
 
 // Single-letter keys, active over the picture and in the tables beside it. On a button Space presses the button, in the list of traces it
@@ -65,22 +90,18 @@ void ReviewPage::add_keys() {
     action->setShortcut(k);
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, call);
-    for (QWidget* w : {static_cast<QWidget*>(timeline_), static_cast<QWidget*>(view_), static_cast<QWidget*>(metrics_),
-                       static_cast<QWidget*>(moments_), static_cast<QWidget*>(worst_)})
-      w->addAction(action);
+    for (QWidget* w : QList<QWidget*>{timeline_, view()} + side_->tables()) w->addAction(action);
     return action;
   };
   key(tr("Play"), Qt::Key_Space, [this] { toggle_play(); });
-  key(tr("Loop"), Qt::Key_L, [this] { loop_->toggle(); });
+  key(tr("Loop"), Qt::Key_L, [this] { transport_->loop()->toggle(); });
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
-  key(tr("Next worst moment"), Qt::Key_W, [this] { to_next_worst(); });
+  key(tr("Next worst moment"), Qt::Key_W, [this] { side_->next_worst(); });
   key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
   // the timeline handles these two itself
   timeline_->removeAction(key(tr("Next event"), Qt::Key_Period, [this] { timeline_->go_to_moment(+1); }));
   timeline_->removeAction(key(tr("Event before"), Qt::Key_Comma, [this] { timeline_->go_to_moment(-1); }));
-  key(tr("Ghost"), Qt::Key_G, [this] {
-    if (comparing()) other_->toggle_ghost();
-  });
+  key(tr("Ghost"), Qt::Key_G, [this] { pictures_->toggle_ghost(); });
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
 }
 
@@ -90,15 +111,13 @@ void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
 // the views go below play and speed where one row would make the tables too narrow, as on a small screen or in German
 void ReviewPage::resizeEvent(QResizeEvent* event) {
   constexpr double kShare = 0.68;  // of the page's width; with more the names of metrics are cut off, with less the picture is too low
-  const int one_row = transport_->itemAt(0)->sizeHint().width() + transport_->spacing() + transport_->itemAt(1)->sizeHint().width();
   const QMargins margins = layout()->contentsMargins();
-  const bool narrow = one_row > kShare * (width() - margins.left() - margins.right() - 12);
-  transport_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  transport_->fit(kShare * (width() - margins.left() - margins.right() - 12));
   QWidget::resizeEvent(event);
 }
 
-// the player refers to the recording
-ReviewPage::~ReviewPage() { player_.reset(); }
+// the timeline refers to the attempt
+ReviewPage::~ReviewPage() { timeline_->set_review(nullptr, nullptr); }
 
 // the page without an attempt: how to open one
 QWidget* ReviewPage::make_empty() {
@@ -159,7 +178,9 @@ QWidget* ReviewPage::make_head() {
   compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
                  [this] { ask_compare(); });
   row->addSpacing(8);
-  add_exports(row, box);
+  exports_ = new AttemptExports(attempt_, box);
+  connect(exports_, &AttemptExports::told, this, &ReviewPage::show_note);
+  row->addWidget(exports_);
   return box;
 }
 
@@ -168,31 +189,23 @@ QWidget* ReviewPage::make_view() {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  view_ = new SceneView(box);
-  view_->setObjectName(QStringLiteral("review_view"));
-  view_->setAccessibleName(tr("The attempt, replayed"));
-  pictures_ = new QHBoxLayout;
-  pictures_->setSpacing(8);
-  pictures_->addWidget(view_, 1);
-  column->addLayout(pictures_, 1);
+  pictures_ = new ReviewPictures(attempt_, box);
+  column->addWidget(pictures_, 1);
   // one line with the whole text as tooltip: a wrapped sentence would make the page taller than the window
   note_ = new ElidedLabel(box);
   note_->setProperty("muted", true);
   note_->setObjectName(QStringLiteral("review_note"));
   note_->hide();
   column->addWidget(note_);
-  column->addWidget(make_transport());
+  transport_ = new ReviewTransport(box);
+  column->addWidget(transport_);
   return box;
 }
 
 void ReviewPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
-  ui_ = ui;
-  cues_ = cues;
-  if (other_) other_->set_themes(ui, cues);
-  view_->set_themes(ui, cues);
+  pictures_->set_themes(ui, cues);
   timeline_->set_theme(ui);
-  track_->set_theme(ui);
-  legend_->set_themes(ui, cues);
+  side_->set_themes(ui, cues);
 }
 
 void ReviewPage::show_problem(const QString& text) {
@@ -200,182 +213,129 @@ void ReviewPage::show_problem(const QString& text) {
   pages_->setCurrentIndex(1);
   headline_->clear();
   verdict_->clear();
-  set_exports_enabled(false);
+  exports_->set_available(false);
 }
 
-void ReviewPage::set_file_services(FileOpener open, FileReader read) {
-  open_file_ = std::move(open);
-  read_file_ = std::move(read);
+void ReviewPage::show_note(const QString& text) {
+  note_->setText(text);
+  note_->show();
+}
+
+// Nothing refers to the attempt any more: another one can be opened.
+void ReviewPage::leave() {
+  playback_.stop();
+  end_comparison();
+  timeline_->set_review(nullptr, nullptr);
 }
 
 bool ReviewPage::open(std::shared_ptr<record::Store> store, const QString& id) {
-  store_ = std::move(store);
-  from_store_ = true;
-  file_.clear();
-  return show_attempt(id, reader_);
+  leave();
+  return show_opened(attempt_.open(std::move(store), id));
 }
 
 bool ReviewPage::open_file(const QString& file) {
-  const std::string path = file.toStdString();
-  std::string error;
-  store_.reset();
-  from_store_ = false;
-  file_ = path;
-  if (open_file_) store_ = open_file_(path, error);
-  const std::vector<record::AttemptRow> attempts = store_ ? store_->attempts("") : std::vector<record::AttemptRow>();
-  if (attempts.size() != 1) {
-    if (store_ && error.empty()) error = store_->trouble();
-    if (error.empty())
-      error = attempts.empty() ? path + " holds no attempt."
-                               : path + " is a store of several attempts: start with --store to see them.";
-    show_problem(QString::fromStdString(error));
-    return false;
-  }
-  return show_attempt(QString::fromStdString(attempts.front().id),
-              [this, path](const std::string& id, record::Recording& out, std::string& why) {
-                return read_file_(path, id, out, why);
-              });
+  leave();
+  return show_opened(attempt_.open_file(file));
 }
 
-// by its id, or by a unique prefix of it
-bool ReviewPage::find_attempt(const std::string& id, record::AttemptRow& out) {
-  if (store_->attempt(id, out)) return true;
-  std::string found;
-  for (const record::AttemptRow& a : store_->attempt_heads()) {
-    if (id.empty() || !a.id.starts_with(id)) continue;
-    if (!found.empty()) return false;
-    found = a.id;
-  }
-  return !found.empty() && store_->attempt(found, out);
-}
-
-bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) {
-  playing_ = false;
-  timer_.stop();
-  end_comparison();
-  player_.reset();
-  timeline_->set_review(nullptr, nullptr);
-  recording_ = {};
-  review_ = {};
-  record::AttemptRow row;
-  std::string error;
-  if (!find_attempt(id.toStdString(), row)) {
-    show_problem(store_->trouble().empty() ? tr("This attempt is no longer in the store.")
-                                           : QString::fromStdString(store_->trouble()));
+bool ReviewPage::show_opened(const QString& problem) {
+  if (!problem.isEmpty()) {
+    show_problem(problem);
     return false;
   }
-  if (!reader || !reader(row.id, recording_, error)) {
-    show_problem(tr("The attempt cannot be read: %1").arg(QString::fromStdString(error)));
-    return false;
-  }
-  base::Problems problems;
-  if (opener_) player_ = opener_(recording_, problems);
-  loop_->setChecked(false);
-  review_.attempt = row;
-  read_moments();
-  show_review(problems);
+  playback_.set_length(review().length_s, review().dt_s);
+  transport_->loop()->setChecked(false);
+  show_review();
   go(0);
   return true;
 }
 
-void ReviewPage::set_loop(bool on) {
-  constexpr double kAround_s = 1;  // shows the cause of a moment and its consequence
-  loop_from_s_ = on ? std::max(0.0, wanted_s_ - kAround_s) : 0;
-  loop_to_s_ = on ? std::min(review_.length_s, wanted_s_ + kAround_s) : 0;
-  timeline_->set_loop(loop_from_s_, loop_to_s_);
-}
-
-void ReviewPage::show_review(const base::Problems& problems) {
+void ReviewPage::show_review() {
   pages_->setCurrentIndex(0);
-  set_exports_enabled(true);
-  headline_->setText(review_.title());
-  verdict_->setText(review_.facts());
-  play_->setText(tr("Play"));
-  note_button_->setVisible(from_store_ && desk_ && desk_->school());
-  compare_->setVisible(from_store_);
-  worst_shown_ = false;
-  timeline_->set_review(&review_, &recording_);
-  const QSignalBlocker quiet(time_);
-  time_->setRange(0, review_.length_s);
+  exports_->set_available(true);
+  headline_->setText(review().title());
+  verdict_->setText(review().facts());
+  transport_->set_playing(false);
+  transport_->set_length(review().length_s);
+  note_button_->setVisible(attempt_.can_note());
+  compare_->setVisible(attempt_.from_store());
+  side_->worst()->start_again();
+  timeline_->set_review(&attempt_.review(), &attempt_.recording());
   fill_side();
-  note_->setVisible(!player_);
-  if (!player_) {
-    const QString why = problems.empty() ? QString() : QString::fromStdString(problems.front().message);
-    note_->setText(
-        tr("The picture cannot be replayed: %1 Traces, events and metrics are as recorded.").arg(why));
+  note_->setVisible(!player());
+  if (!player()) {
+    note_->setText(tr("The picture cannot be replayed: %1 Traces, events and metrics are as recorded.").arg(attempt_.why_no_player()));
     return;
   }
-  reading_ = Reader(player_->card());
-  legend_->set_meanings(Reader::meanings(player_->card()));
-  view_->set_card(player_->card(), CameraPreset::kOrbit);
+  side_->legend()->set_meanings(Reader::meanings(player()->card()));
+  pictures_->show_scene();
 }
 
-void ReviewPage::go(double time_s) {
-  wanted_s_ = std::clamp(time_s, 0.0, review_.length_s);
-  timeline_->set_cursor(wanted_s_);
-  track_->set_cursor(wanted_s_);
-  const QSignalBlocker quiet(time_);
-  time_->setValue(wanted_s_);
-  clock_.start();
-  if (!timer_.isActive()) timer_.start();
+void ReviewPage::fill_side() {
+  side_->fill(review(), attempt_.recording(), attempt_.worst(), attempt_.can_note());
+  show_metrics();
 }
 
-void ReviewPage::toggle_play() {
-  if (review_.length_s <= 0) return;
-  playing_ = !playing_;
-  if (playing_ && wanted_s_ >= review_.length_s - 1e-9) wanted_s_ = 0;
-  play_->setText(playing_ ? tr("Pause") : tr("Play"));
-  go(wanted_s_);
+void ReviewPage::show_metrics() { side_->fill_metrics(review(), comparing() ? &comparison()->review() : nullptr); }
+
+void ReviewPage::set_desk(SchoolDesk* desk) {
+  attempt_.set_desk(desk);
+  connect(desk, &SchoolDesk::changed, this, [this] {
+    if (!attempt_.is_open() || !isVisible()) return;
+    attempt_.read_moments();
+    timeline_->set_review(&attempt_.review(), &attempt_.recording());
+    timeline_->set_cursor(playback_.wanted_s());
+    fill_side();
+  });
 }
 
-// advances the cursor during playback, and the scene towards the cursor; stops when the scene has reached a resting cursor
-void ReviewPage::tick() {
-  if (playing_) {
-    // in nanoseconds: whole milliseconds would lose half of one per picture, nearly a second in a minute
-    const double on = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 * speed_->currentData().toDouble();
-    clock_.start();
-    const double before = wanted_s_;
-    wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
-    if (loop_to_s_ > loop_from_s_ && (wanted_s_ >= loop_to_s_ || wanted_s_ < loop_from_s_)) wanted_s_ = loop_from_s_;
-    // a slow machine plays more slowly but skips nothing; after a jump the cursor waits for the picture
-    if (player_) {
-      const double reach = static_cast<double>(player_->at() + kMostSteps) * review_.dt_s;
-      if (wanted_s_ > reach) wanted_s_ = std::max(reach, std::min(before, wanted_s_));
-    }
-    timeline_->set_cursor(wanted_s_);
-    track_->set_cursor(wanted_s_);
-    const QSignalBlocker quiet(time_);
-    time_->setValue(wanted_s_);
-    if (wanted_s_ >= review_.length_s) toggle_play();
+void ReviewPage::rate(const QString& item_id, std::optional<double> points) {
+  if (attempt_.rate(item_id, points)) return;
+  show_note(tr("▲ The rating was not kept: %1").arg(attempt_.desk_problem()));
+  side_->show_scales(review(), true);
+}
+
+void ReviewPage::ask_note() {
+  if (!note_button_->isVisible()) return;
+  const QString text = QInputDialog::getText(this, tr("Note"), tr("At %L1 s:").arg(playback_.wanted_s(), 0, 'f', 2));
+  if (text.trimmed().isEmpty() || add_note(text)) return;
+  show_note(tr("▲ The note was not kept: %1").arg(attempt_.desk_problem()));
+}
+
+// for a debriefing: plays the moment at the cursor in a loop
+void ReviewPage::loop_here() {
+  transport_->loop()->setChecked(false);
+  transport_->loop()->setChecked(true);
+  if (!playing()) toggle_play();
+}
+
+void ReviewPage::ask_compare() {
+  if (!attempt_.from_store() || !attempt_.is_open()) return;
+  AttemptChooser dialog(attempt_.store()->attempts("", review().attempt.lesson_id), review().attempt.id, this);
+  if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty()) compare(dialog.chosen());
+}
+
+bool ReviewPage::compare(const QString& attempt_id) {
+  if (!attempt_.store() || !attempt_.is_open()) return false;
+  const QString problem = pictures_->compare(attempt_id);
+  if (!problem.isEmpty()) {
+    show_note(tr("▲ %1").arg(problem));
+    return false;
   }
-  bool there = true;
-  if (player_) {
-    there = player_->toward(static_cast<uint64_t>(std::llround(wanted_s_ / review_.dt_s)), kMostSteps);
-    show_player();
-  }
-  if (comparing()) there = other_->toward(wanted_s_, kMostSteps) && there;
-  move_ghost();
-  if (there && !playing_) timer_.stop();
+  show_compared();
+  return true;
 }
 
-void ReviewPage::show_player() {
-  player_->fill(*snapshot_);
-  view_->show_snapshot(*snapshot_);
-  const Reading reading = reading_.read(*snapshot_);
-  view_->set_hold(reading.hold.value_or(0));
-  legend_->set_active(reading.meanings);
-  QString clock = clock_text(snapshot_->time_s);
-  // a large jump takes seconds to compute
-  constexpr double kBehind_s = 1;
-  if (std::abs(wanted_s_ - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s_));
-  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});
-  const uint64_t differs = player_->first_difference();
-  if (differs >= player_->count() || note_->isVisible()) return;
-  note_->setText(tr("From %L1 s on the picture is not the attempt bit for bit: it was recorded with another "
-                    "version of a plugin. "
-                    "Traces, events and metrics are as recorded.")
-                     .arg(static_cast<double>(differs) * review_.dt_s, 0, 'f', 2));
-  note_->show();
+// the other attempt in the traces, on its shifted clock
+void ReviewPage::show_other() {
+  timeline_->set_other(&comparison()->review(), &comparison()->recording(), comparison()->later_s());
+  go(playback_.wanted_s());
+}
+
+void ReviewPage::show_compared() {
+  comparing() ? show_other() : timeline_->set_other(nullptr, nullptr, 0);
+  show_metrics();
+  timeline_->setFocus();
 }
 
 }  // namespace swage::console

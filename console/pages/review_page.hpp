@@ -1,39 +1,26 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The Review page: playback of one attempt. Picture, traces and events follow one cursor.
+//
+// The page puts its parts together. Each job has a class of its own: the attempt and its files (ReviewedAttempt, AttemptExports), the cursor
+// (Playback), the pictures of one or two attempts (ReviewPictures, Comparison), the row of controls (ReviewTransport), the tables
+// (ReviewSide), the choice of another attempt (AttemptChooser).
 #pragma once
 
-#include <QBoxLayout>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QElapsedTimer>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTabWidget>
-#include <QTableWidget>
-#include <QTimer>
 #include <QWidget>
-#include <memory>
 
-#include "console/link/player.hpp"
-#include "console/link/school_desk.hpp"
-#include "console/models/made_with.hpp"
-#include "console/models/reading.hpp"
-#include "console/models/review.hpp"
-#include "console/models/worst_moments.hpp"
-#include "console/view3d/scene_view.hpp"
-#include "console/widgets/cue_legend.hpp"
+#include "console/link/playback.hpp"
+#include "console/link/reviewed_attempt.hpp"
+#include "console/pages/attempt_exports.hpp"
+#include "console/pages/review_pictures.hpp"
+#include "console/pages/review_side.hpp"
+#include "console/pages/review_transport.hpp"
 #include "console/widgets/timeline.hpp"
-#include "console/widgets/track_plot.hpp"
 
 namespace swage::console {
-
-class Comparison;
-class RatingPanel;
 
 class ReviewPage : public QWidget {
   Q_OBJECT
@@ -44,46 +31,32 @@ class ReviewPage : public QWidget {
 
   /// Shows an attempt of the store. On failure false, and the page shows the reason.
   bool open(std::shared_ptr<record::Store> store, const QString& attempt_id);
-  /// Sets the functions that open a file with an attempt, and read it.
-  void set_file_services(FileOpener open, FileReader read);
-  /// Sets the reader of attempts for exports.
-  void set_export(ExportReader reader) { exported_ = std::move(reader); }
   bool open_file(const QString& file);
-  /// Writes the attempt in the format of the extension: .swage (everything), .csv (signals), or the summary. Returns "" or the error.
-  QString write_swage(const QString& file);
-  QString write_signals(const QString& file);
-  QString write_summary(const QString& file);
+  /// The attempt, with the functions that read it from files and for exports.
+  ReviewedAttempt& attempt() { return attempt_; }
+  AttemptExports* exports() { return exports_; }
 
-  const Review& review() const { return review_; }
+  const Review& review() const { return attempt_.review(); }
   Timeline* timeline() { return timeline_; }
-  SceneView* view() { return view_; }
-  const Player* player() const { return player_.get(); }
-  bool playing() const { return playing_; }
+  SceneView* view() { return pictures_->view(); }
+  const Player* player() const { return attempt_.player(); }
+  bool playing() const { return playback_.playing(); }
   /// Sets the desk for notes; without it none can be made. It outlives the page.
   void set_desk(SchoolDesk* desk);
   /// Adds a note at the cursor.
-  bool add_note(const QString& text);
-  void go(double time_s);
-  /// Direction and target of a metric in a lesson; without it worst moments have no limits.
-  using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
-  void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
-  const QVector<WorstMoment>& worst() const { return worst_moments_; }
+  bool add_note(const QString& text) { return attempt_.add_note(text, playback_.wanted_s()); }
+  void go(double time_s) { playback_.go(time_s); }
+  const QVector<WorstMoment>& worst() const { return attempt_.worst(); }
   /// Shows another attempt of the store beside this one. On failure false, and the page shows the reason.
   bool compare(const QString& attempt_id);
-  Comparison* comparison() { return other_; }
-  bool comparing() const;
-  /// Writes the printed report of the attempt. Returns "" or the error.
-  QString write_report(const QString& file);
+  Comparison* comparison() { return pictures_->other(); }
+  bool comparing() const { return pictures_->comparing(); }
 
  public Q_SLOTS:
-  void toggle_play();
-  /// Switches the loop over a second before and after the cursor.
-  void set_loop(bool on);
+  void toggle_play() { playback_.toggle(); }
   void ask_note();
   void ask_compare();
-  void end_comparison();
-  /// Moves the cursor to the worst moment, then to the next.
-  void to_next_worst();
+  void end_comparison() { pictures_->end_comparison(); }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -98,81 +71,30 @@ class ReviewPage : public QWidget {
   QWidget* make_empty();
   QWidget* make_head();
   QWidget* make_view();
-  QWidget* make_transport();
-  QWidget* make_cameras(QWidget* box);
-  void add_exports(QHBoxLayout* row, QWidget* box);
+  void connect_parts();
   void add_keys();
-  void set_exports_enabled(bool on);
-  bool find_attempt(const std::string& id, record::AttemptRow& out);
-  QWidget* make_side();
-  void make_tables(QWidget* tabs);
-  void show_review(const base::Problems& problems);
-  void fill_side();
-  void fill_metrics();
-  void rate(const QString& item_id, std::optional<double> points);
-  void fill_worst();
-  void to_worst(int row);
-  void loop_worst(int row);
-  void show_comparison();
-  void set_ghost();
-  void move_ghost();
-  void fill_traces();
-  void show_traces();
+  void leave();
+  bool show_opened(const QString& problem);
   void show_problem(const QString& text);
-  void save(const QString& title, const QString& ending, QString (ReviewPage::*write)(const QString&));
-  void tick();
-  void show_player();
-  void step_by(double seconds) { go(timeline_->cursor() + seconds); }
+  void show_note(const QString& text);
+  void show_review();
+  void show_other();
+  void show_compared();
+  void fill_side();
+  void show_metrics();
+  void rate(const QString& item_id, std::optional<double> points);
+  void loop_here();
 
-  void read_moments();
-
-  RecordingReader reader_;
-  SchoolDesk* desk_ = nullptr;
-  PlayerOpener opener_;
-  bool show_attempt(const QString& attempt_id, const RecordingReader& reader);
-
-  std::vector<record::Exported> exported() const;  // export data of the shown attempt; empty when it cannot be read
-
-  ExportReader exported_;
-  std::string file_;  // file of the attempt, "" for the store
-  FileOpener open_file_;
-  FileReader read_file_;
-  std::shared_ptr<record::Store> store_;
-  record::Recording recording_;
-  Review review_;
-  std::unique_ptr<Player> player_;
-  std::unique_ptr<snapshot::Snapshot> snapshot_;
-  Reader reading_;
-
-  QLabel *headline_ = nullptr, *verdict_ = nullptr, *note_ = nullptr;
+  ReviewedAttempt attempt_;
+  Playback playback_;
+  QLabel *headline_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *problem_ = nullptr;
   QStackedWidget* pages_ = nullptr;
-  QLabel* problem_ = nullptr;
-  SceneView* view_ = nullptr;
+  ReviewPictures* pictures_ = nullptr;
+  ReviewTransport* transport_ = nullptr;
+  ReviewSide* side_ = nullptr;
   Timeline* timeline_ = nullptr;
-  CueLegend* legend_ = nullptr;
-  QTableWidget *metrics_ = nullptr, *moments_ = nullptr, *worst_ = nullptr;
-  RatingPanel* ratings_ = nullptr;
-  QVector<WorstMoment> worst_moments_;
-  bool worst_shown_ = false;  // a worst moment was visited since the attempt was opened
-  MetricFinder finder_;
-  QHBoxLayout* pictures_ = nullptr;
-  QBoxLayout* transport_ = nullptr;  // playback and views: one row, or two on a narrow page
-  QVector<QAction*> exports_;
-  Comparison* other_ = nullptr;  // made on first use
-  QListWidget* traces_ = nullptr;
-  QTabWidget* tabs_ = nullptr;
-  TrackPlot* track_ = nullptr;
-  QPushButton* play_ = nullptr;
-  QComboBox* speed_ = nullptr;
-  QDoubleSpinBox* time_ = nullptr;
-  UiTheme ui_;
-  CueTheme cues_;
-  QTimer timer_;
-  QElapsedTimer clock_;
-  double wanted_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
-  QPushButton *report_ = nullptr, *export_ = nullptr, *loop_ = nullptr, *note_button_ = nullptr, *compare_ = nullptr;
-  bool playing_ = false, technical_ = false;
-  bool from_store_ = false;  // notes can be stored
+  AttemptExports* exports_ = nullptr;
+  QPushButton *note_button_ = nullptr, *compare_ = nullptr;
 };
 
 }  // namespace swage::console

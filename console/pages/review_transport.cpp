@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-//
-// The row below the Review page's picture: play, speed, loop, time, views.
+#include "console/pages/review_transport.hpp"
+
 #include <QHBoxLayout>
 
-#include "console/pages/comparison.hpp"
-#include "console/pages/review_page.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -14,37 +12,42 @@ constexpr double kFrame_s = 0.01;  // step of the frame buttons and keys
 
 }  // namespace
 
-QWidget* ReviewPage::make_transport() {
-  auto* box = new QWidget(this);
+ReviewTransport::ReviewTransport(QWidget* parent) : QWidget(parent) {
   // one row must not limit the width of the window: on a narrow one there are two rows
-  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  transport_ = new QBoxLayout(QBoxLayout::LeftToRight, box);
-  transport_->setContentsMargins(0, 0, 0, 0);
-  transport_->setSpacing(6);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  rows_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(6);
+  rows_->addLayout(make_playback(), 1);
+  rows_->addWidget(make_views());
+}
+
+QLayout* ReviewTransport::make_playback() {
   auto* row = new QHBoxLayout;
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto call) {
-    auto* button = make_button(text, {}, QString::fromLatin1(name), box);
+    auto* button = make_button(text, {}, QString::fromLatin1(name), this);
     button->setToolTip(tip);
     button->setAccessibleName(tip);
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
     return button;
   };
-  add(tr("Start"), "to_start", tr("To the start (Home)"), [this] { go(0); });
-  add(QStringLiteral("−10 ms"), "step_back", tr("10 ms back (←; with Shift 1 ms, with Ctrl 1 s)"), [this] { step_by(-kFrame_s); });
-  play_ = add(tr("Play"), "play", tr("Play, pause (Space)"), [this] { toggle_play(); });
+  add(tr("Start"), "to_start", tr("To the start (Home)"), [this] { Q_EMIT gone_to(0); });
+  add(QStringLiteral("−10 ms"), "step_back", tr("10 ms back (←; with Shift 1 ms, with Ctrl 1 s)"), [this] { Q_EMIT stepped(-kFrame_s); });
+  play_ = add(tr("Play"), "play", tr("Play, pause (Space)"), [this] { Q_EMIT play_pressed(); });
   play_->setMinimumWidth(90);
-  add(QStringLiteral("+10 ms"), "step_on", tr("10 ms on (→; with Shift 1 ms, with Ctrl 1 s)"), [this] { step_by(kFrame_s); });
+  add(QStringLiteral("+10 ms"), "step_on", tr("10 ms on (→; with Shift 1 ms, with Ctrl 1 s)"), [this] { Q_EMIT stepped(kFrame_s); });
   loop_ = add(tr("Loop"), "review_loop", tr("Play a second before and after the cursor again and again (L)"), [] {});
   loop_->setCheckable(true);
-  connect(loop_, &QPushButton::toggled, this, &ReviewPage::set_loop);
-  speed_ = new QComboBox(box);
+  connect(loop_, &QPushButton::toggled, this, &ReviewTransport::looped);
+  speed_ = new QComboBox(this);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
   for (const double s : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) speed_->addItem(QStringLiteral("%L1×").arg(s), s);
   speed_->setCurrentIndex(3);
+  connect(speed_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT speed_chosen(speed_->currentData().toDouble()); });
   row->addWidget(speed_);
-  time_ = new QDoubleSpinBox(box);
+  time_ = new QDoubleSpinBox(this);
   time_->setObjectName(QStringLiteral("review_time"));
   time_->setAccessibleName(tr("Time"));
   time_->setDecimals(3);
@@ -52,16 +55,14 @@ QWidget* ReviewPage::make_transport() {
   time_->setSuffix(tr(" s"));
   time_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the buttons beside it do the stepping
   time_->setKeyboardTracking(false);
-  connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
+  connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewTransport::gone_to);
   row->addWidget(time_);
   row->addStretch(1);
-  transport_->addLayout(row, 1);
-  transport_->addWidget(make_cameras(box));
-  return box;
+  return row;
 }
 
-QWidget* ReviewPage::make_cameras(QWidget* parent) {
-  auto* box = new QWidget(parent);
+QWidget* ReviewTransport::make_views() {
+  auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   const struct {
@@ -75,19 +76,33 @@ QWidget* ReviewPage::make_cameras(QWidget* parent) {
   for (const auto& p : presets) {
     auto* button = make_button(p.text, {}, QString::fromLatin1(p.name), box);
     button->setToolTip(tr("%1 view").arg(p.text));
-    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] {
-      view_->look(preset);
-      if (comparing()) other_->view()->look(preset);
-    });
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { Q_EMIT looked(preset); });
     row->addWidget(button);
   }
   auto* forces = make_button(tr("Forces"), {}, QStringLiteral("review_forces"), box);
   forces->setCheckable(true);
   forces->setToolTip(tr("Show contact forces in the picture"));
-  connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
+  connect(forces, &QPushButton::toggled, this, &ReviewTransport::forces_shown);
   row->addWidget(forces);
   row->addStretch(1);
   return box;
 }
+
+void ReviewTransport::fit(double room_px) {
+  const int one_row = rows_->itemAt(0)->sizeHint().width() + rows_->spacing() + rows_->itemAt(1)->sizeHint().width();
+  rows_->setDirection(one_row > room_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void ReviewTransport::set_length(double length_s) {
+  const QSignalBlocker quiet(time_);
+  time_->setRange(0, length_s);
+}
+
+void ReviewTransport::set_time(double time_s) {
+  const QSignalBlocker quiet(time_);
+  time_->setValue(time_s);
+}
+
+void ReviewTransport::set_playing(bool playing) { play_->setText(playing ? tr("Pause") : tr("Play")); }
 
 }  // namespace swage::console

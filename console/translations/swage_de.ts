@@ -464,6 +464,21 @@
     </message>
 </context>
 <context>
+    <name>ReviewedAttempt</name>
+    <message>
+        <source>This attempt is no longer in the store.</source>
+        <translation>Dieser Versuch ist nicht mehr im Speicher.</translation>
+    </message>
+    <message>
+        <source>The attempt cannot be read: %1</source>
+        <translation>Der Versuch kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The other attempt cannot be read: %1</source>
+        <translation>Der andere Versuch kann nicht gelesen werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>ScenePainter</name>
     <message>
         <source>The 3D view needs OpenGL 3.3 (%1).
@@ -657,6 +672,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Show the trainee&apos;s view, for two eyes: side, over, lines, checker, anaglyph, grey, least, shutter, one, left or right.</source>
         <translation>Die Ansicht des Trainees für zwei Augen zeigen: side, over, lines, checker, anaglyph, grey, least, shutter, one, left oder right.</translation>
     </message>
+    <message>
+        <source>Beside the recorded attempt another one at the same lesson: its id.</source>
+        <translation>Neben dem aufgezeichneten Versuch ein anderer an derselben Lektion: seine Kennung.</translation>
+    </message>
 </context>
 <context>
     <name>course_words</name>
@@ -714,6 +733,93 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>group_report</name>
+    <message>
+        <source>not yet</source>
+        <translation>noch nie</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 passed</source>
+        <translation>%1, %2 bestanden</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Lessons passed</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Last score</source>
+        <translation>Punkte zuletzt</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Zuletzt da</translation>
+    </message>
+    <message>
+        <source>Needs attention</source>
+        <translation>Braucht Aufmerksamkeit</translation>
+    </message>
+    <message>
+        <source>Lessons of the course</source>
+        <translation>Lektionen des Kurses</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Passed by</source>
+        <translation>Bestanden von</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A lesson is passed here when one attempt at it was.</source>
+        <translation>Eine Lektion gilt hier als bestanden, wenn ein Versuch an ihr bestanden wurde.</translation>
+    </message>
+    <message>
+        <source>A lesson is passed here when the rule of the course is met, in Test.</source>
+        <translation>Eine Lektion gilt hier als bestanden, wenn die Regel des Kurses im Test erfüllt ist.</translation>
+    </message>
+    <message>
+        <source>Attempts that count: by the person&apos;s own hand, ended by themselves, not void. Last score: of the newest passed one.</source>
+        <translation>Es zählen Versuche von der Hand der Person, die von selbst endeten und gültig sind. Punkte zuletzt: des neuesten bestandenen.</translation>
+    </message>
+    <message>
+        <source>%1 people, of whom %2 need attention.</source>
+        <translation>%1 Personen, davon brauchen %2 Aufmerksamkeit.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lessons passed.</source>
+        <translation>%1 von %2 Lektionen bestanden.</translation>
+    </message>
+    <message>
+        <source>Median of the last scores: %1.</source>
+        <translation>Median der letzten Punktzahlen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>lesson_facts</name>
     <message>
         <source>yes</source>
@@ -760,6 +866,13 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>people_courses</name>
+    <message>
+        <source>%1, until %2</source>
+        <translation>%1, bis %2</translation>
     </message>
 </context>
 <context>
@@ -953,6 +1066,108 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AttemptChooser</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>recorded hand</source>
+        <translation>aufgezeichnete Hand</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Search name, date and result</source>
+        <translation>In Name, Datum und Ergebnis suchen</translation>
+    </message>
+    <message>
+        <source>Attempts at the same lesson</source>
+        <translation>Versuche derselben Lektion</translation>
+    </message>
+    <message>
+        <source>There is no other attempt at this lesson in the store, of anybody.</source>
+        <translation>Im Speicher ist von niemandem ein anderer Versuch an dieser Lektion.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AttemptExports</name>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>Bericht (PDF)</translation>
+    </message>
+    <message>
+        <source>Pages to print: result, metrics, ratings, worst moments, traces, notes</source>
+        <translation>Seiten zum Drucken: Ergebnis, Kennzahlen, Urteile, schlechteste Momente, Kurven, Notizen</translation>
+    </message>
+    <message>
+        <source>Save pages about the attempt</source>
+        <translation>Seiten über den Versuch speichern</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>The attempt as a file for other programs, or for another station</source>
+        <translation>Der Versuch als Datei für andere Programme oder einen anderen Platz</translation>
+    </message>
+    <message>
+        <source>Save attempt</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the whole attempt</source>
+        <translation>Den ganzen Versuch speichern</translation>
+    </message>
+    <message>
+        <source>Everything in one file: swage replay and another station&apos;s Swage can read it</source>
+        <translation>Alles in einer Datei: swage replay und das Swage eines anderen Platzes können sie lesen</translation>
+    </message>
+    <message>
+        <source>Export signals (CSV)</source>
+        <translation>Signale (CSV)</translation>
+    </message>
+    <message>
+        <source>Save the signals</source>
+        <translation>Die Signale speichern</translation>
+    </message>
+    <message>
+        <source>A thousand lines a second, SI units</source>
+        <translation>Tausend Zeilen je Sekunde, SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>Export summary (CSV)</source>
+        <translation>Übersicht (CSV)</translation>
+    </message>
+    <message>
+        <source>Save metrics and events</source>
+        <translation>Kennzahlen und Ereignisse speichern</translation>
+    </message>
+    <message>
+        <source>Facts, metrics, ratings and events</source>
+        <translation>Angaben, Kennzahlen, Urteile und Ereignisse</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
     </message>
 </context>
 <context>
@@ -1355,10 +1570,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
 <context>
     <name>swage::console::CoursesPage</name>
     <message>
-        <source>Points lost: %1</source>
-        <translation>Verlorene Punkte: %1</translation>
-    </message>
-    <message>
         <source>No course yet. A course is a row of lessons with a rule that says when each is passed.</source>
         <translation>Noch kein Kurs. Ein Kurs ist eine Folge von Lektionen mit einer Regel, wann jede bestanden ist.</translation>
     </message>
@@ -1375,32 +1586,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1  %3%2</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>No limits: the lesson&apos;s own verdict is all that is asked.</source>
-        <translation>Keine Grenzen: gefordert ist nur das eigene Urteil der Lektion.</translation>
-    </message>
-    <message>
         <source>Add a lesson</source>
         <translation>Lektion hinzufügen</translation>
     </message>
     <message>
         <source>Order</source>
         <translation>Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Add a limit</source>
-        <translation>Grenze hinzufügen</translation>
-    </message>
-    <message>
-        <source>Limit</source>
-        <translation>Grenze</translation>
-    </message>
-    <message>
-        <source>Limits from experts</source>
-        <translation>Grenzen nach Experten</translation>
     </message>
     <message>
         <source>▲ %1</source>
@@ -1491,172 +1682,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Fügen Sie eine Lektion hinzu, um zu sagen, wann sie bestanden ist.</translation>
     </message>
     <message>
-        <source>Rule</source>
-        <translation>Regel</translation>
-    </message>
-    <message>
-        <source>Pass rule</source>
-        <translation>Bestehensregel</translation>
-    </message>
-    <message>
-        <source>Kind of rule</source>
-        <translation>Art der Regel</translation>
-    </message>
-    <message>
-        <source>in a row</source>
-        <translation>in Folge</translation>
-    </message>
-    <message>
-        <source>learning-curve test (strict)</source>
-        <translation>Lernkurventest (streng)</translation>
-    </message>
-    <message>
-        <source>Test attempts in a row</source>
-        <translation>Testversuche in Folge</translation>
-    </message>
-    <message>
-        <source>Test attempts in a row that meet everything that is asked</source>
-        <translation>Testversuche nacheinander, die alles Geforderte erfüllen</translation>
-    </message>
-    <message>
-        <source>then, first of a later day</source>
-        <translation>dann die ersten an späterem Tag</translation>
-    </message>
-    <message>
-        <source>First attempts of a later day that must meet it, too; 0: none</source>
-        <translation>Erste Versuche eines späteren Tages, die es auch erfüllen müssen; 0: keine</translation>
-    </message>
-    <message>
-        <source>Failure rate, competent</source>
-        <translation>Fehlerrate, wer es kann</translation>
-    </message>
-    <message>
-        <source>Share of attempts that a competent person fails</source>
-        <translation>Anteil der Versuche, die einer geübten Person misslingen</translation>
-    </message>
-    <message>
-        <source>Failure rate, not yet</source>
-        <translation>Fehlerrate, noch nicht</translation>
-    </message>
-    <message>
-        <source>Share of attempts that a person fails who is not competent yet</source>
-        <translation>Anteil der Versuche, die einer ungeübten Person misslingen</translation>
-    </message>
-    <message>
-        <source>Signal at</source>
-        <translation>Meldung bei</translation>
-    </message>
-    <message>
-        <source>Lower passes the unready, higher takes longer; 2.4 is usual</source>
-        <translation>Kleiner lässt Ungeübte durch, größer dauert länger; üblich ist 2,4</translation>
-    </message>
-    <message>
-        <source>Attempts a day that count</source>
-        <translation>Versuche am Tag, die zählen</translation>
-    </message>
-    <message>
-        <source>0: all</source>
-        <translation>0: alle</translation>
-    </message>
-    <message>
-        <source>Warm-up attempts a day</source>
-        <translation>Aufwärmversuche am Tag</translation>
-    </message>
-    <message>
-        <source>That do not count</source>
-        <translation>Die nicht zählen</translation>
-    </message>
-    <message>
-        <source>What this rule does in 30 attempts</source>
-        <translation>Was diese Regel in 30 Versuchen bewirkt</translation>
-    </message>
-    <message>
-        <source>Limits, besides the lesson&apos;s own verdict</source>
-        <translation>Grenzen, neben dem eigenen Urteil der Lektion</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>Kennzahl</translation>
-    </message>
-    <message>
-        <source>At least</source>
-        <translation>Mindestens</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
-    </message>
-    <message>
-        <source>Safety</source>
-        <translation>Sicherheit</translation>
-    </message>
-    <message>
-        <source>Source</source>
-        <translation>Quelle</translation>
-    </message>
-    <message>
-        <source>F2 or a double click changes a value; empty asks for nothing</source>
-        <translation>F2 oder ein Doppelklick ändert einen Wert; leer fordert nichts</translation>
-    </message>
-    <message>
-        <source>Metric to limit</source>
-        <translation>Kennzahl zum Begrenzen</translation>
-    </message>
-    <message>
-        <source>Add limit</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove limit</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Remove a limit</source>
-        <translation>Grenze entfernen</translation>
-    </message>
-    <message>
-        <source>From experts</source>
-        <translation>Nach Experten</translation>
-    </message>
-    <message>
-        <source>Each limit such that all but the worst tenth of the experts&apos; attempts keep it</source>
-        <translation>Jede Grenze so, dass alle bis auf das schlechteste Zehntel der Expertenversuche sie einhalten</translation>
-    </message>
-    <message>
-        <source>▲ The metrics of this lesson are not known here: is it installed?</source>
-        <translation>▲ Die Kennzahlen dieser Lektion sind hier nicht bekannt: ist sie installiert?</translation>
-    </message>
-    <message>
         <source>▲ This lesson is not installed here: nobody can do it at this station.</source>
         <translation>▲ Diese Lektion ist hier nicht installiert: An diesem Platz kann sie niemand machen.</translation>
     </message>
     <message>
         <source>▲ The file of this lesson is faulty: nobody can do it. %1</source>
         <translation>▲ Die Datei dieser Lektion ist fehlerhaft: Niemand kann sie machen. %1</translation>
-    </message>
-    <message>
-        <source>The metrics of this lesson are not known here</source>
-        <translation>Die Kennzahlen dieser Lektion sind hier nicht bekannt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number; no limit is added.</source>
-        <translation>„%1“ ist keine Zahl; es wird keine Grenze hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number; the limit stays as it was.</source>
-        <translation>„%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
-    </message>
-    <message>
-        <source>There is no limit yet to take from the experts: add one first.</source>
-        <translation>Es gibt noch keine Grenze, die von den Experten kommen könnte: zuerst eine hinzufügen.</translation>
-    </message>
-    <message>
-        <source>No attempts of experts at this lesson: no limit is changed. Experts are the people of the group &quot;Experts&quot;.</source>
-        <translation>Keine Versuche von Experten an dieser Lektion: keine Grenze wird geändert. Experten sind die Personen der Gruppe „Experten“.</translation>
     </message>
 </context>
 <context>
@@ -2500,6 +2531,113 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::LimitsPanel</name>
+    <message>
+        <source>Points lost: %1</source>
+        <translation>Verlorene Punkte: %1</translation>
+    </message>
+    <message>
+        <source>Limits, besides the lesson&apos;s own verdict</source>
+        <translation>Grenzen, neben dem eigenen Urteil der Lektion</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>F2 or a double click changes a value; empty asks for nothing</source>
+        <translation>F2 oder ein Doppelklick ändert einen Wert; leer fordert nichts</translation>
+    </message>
+    <message>
+        <source>Metric to limit</source>
+        <translation>Kennzahl zum Begrenzen</translation>
+    </message>
+    <message>
+        <source>The metrics of this lesson are not known here</source>
+        <translation>Die Kennzahlen dieser Lektion sind hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Each limit such that all but the worst tenth of the experts&apos; attempts keep it</source>
+        <translation>Jede Grenze so, dass alle bis auf das schlechteste Zehntel der Expertenversuche sie einhalten</translation>
+    </message>
+    <message>
+        <source>Add limit</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove limit</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>From experts</source>
+        <translation>Nach Experten</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No limits: the lesson&apos;s own verdict is all that is asked.</source>
+        <translation>Keine Grenzen: gefordert ist nur das eigene Urteil der Lektion.</translation>
+    </message>
+    <message>
+        <source>The metrics of this lesson are not known here: is it installed?</source>
+        <translation>Die Kennzahlen dieser Lektion sind hier nicht bekannt: Ist sie installiert?</translation>
+    </message>
+    <message>
+        <source>Add a limit</source>
+        <translation>Grenze hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a limit</source>
+        <translation>Grenze entfernen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number; no limit is added.</source>
+        <translation>„%1“ ist keine Zahl; es wird keine Grenze hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number; the limit stays as it was.</source>
+        <translation>„%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>There is no limit yet to take from the experts: add one first.</source>
+        <translation>Es gibt noch keine Grenze, die von den Experten kommen könnte: zuerst eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>No attempts of experts at this lesson: no limit is changed. Experts are the people of the group &quot;Experts&quot;.</source>
+        <translation>Keine Versuche von Experten an dieser Lektion: keine Grenze wird geändert. Experten sind die Personen der Gruppe „Experten“.</translation>
+    </message>
+    <message>
+        <source>Limits from experts</source>
+        <translation>Grenzen nach Experten</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::LiveForm</name>
     <message>
         <source>%1, %2 of %3</source>
@@ -2669,6 +2807,56 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>No finished attempt has this number yet.</source>
         <translation>Noch kein abgeschlossener Versuch hat diese Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::MetricsTable</name>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>Besser</translation>
+    </message>
+    <message>
+        <source>Other attempt</source>
+        <translation>Anderer Versuch</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Points lost, of 100</source>
+        <translation>Verlorene Punkte, von 100</translation>
+    </message>
+    <message>
+        <source>What each fault has cost of the score</source>
+        <translation>Was jeder Fehler an Punkten gekostet hat</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::MomentsTable</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
     </message>
 </context>
 <context>
@@ -2924,6 +3112,96 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::PeopleEdits</name>
+    <message>
+        <source>counts again</source>
+        <translation>zählt wieder</translation>
+    </message>
+    <message>
+        <source>Void an attempt</source>
+        <translation>Versuch für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Why does it not count?</source>
+        <translation>Warum zählt er nicht?</translation>
+    </message>
+    <message>
+        <source>Technical fault</source>
+        <translation>Technischer Fehler</translation>
+    </message>
+    <message>
+        <source>Wrong lesson or settings</source>
+        <translation>Falsche Lektion oder Einstellungen</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Somebody helped</source>
+        <translation>Jemand hat geholfen</translation>
+    </message>
+    <message>
+        <source>Whose attempt is it?</source>
+        <translation>Wessen Versuch ist es?</translation>
+    </message>
+    <message>
+        <source>Choose a person or type a new name</source>
+        <translation>Wählen Sie eine Person oder geben Sie einen neuen Namen ein</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PeopleFiles</name>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen.</source>
+        <translation>Niemand ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>Seite (*.pdf)</translation>
+    </message>
+    <message>
+        <source>It is about %1 alone, one of the %2 people chosen.</source>
+        <translation>Er handelt nur von %1, einer der %2 gewählten Personen.</translation>
+    </message>
+    <message>
+        <source>Export a person&apos;s attempts</source>
+        <translation>Versuche einer Person exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>About which course?</source>
+        <translation>Über welchen Kurs?</translation>
+    </message>
+    <message>
+        <source>%1_report.pdf</source>
+        <translation>%1_Bericht.pdf</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::PeopleModel</name>
     <message>
         <source>%1 of %2</source>
@@ -3028,72 +3306,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Alle Gruppen</translation>
     </message>
     <message>
-        <source>%1, until %2</source>
-        <translation>%1, bis %2</translation>
-    </message>
-    <message>
-        <source>counts again</source>
-        <translation>zählt wieder</translation>
-    </message>
-    <message>
-        <source>Void an attempt</source>
-        <translation>Versuch für ungültig erklären</translation>
-    </message>
-    <message>
-        <source>Why does it not count?</source>
-        <translation>Warum zählt er nicht?</translation>
-    </message>
-    <message>
-        <source>Technical fault</source>
-        <translation>Technischer Fehler</translation>
-    </message>
-    <message>
-        <source>Wrong lesson or settings</source>
-        <translation>Falsche Lektion oder Einstellungen</translation>
-    </message>
-    <message>
-        <source>Interrupted</source>
-        <translation>Unterbrochen</translation>
-    </message>
-    <message>
-        <source>Somebody helped</source>
-        <translation>Jemand hat geholfen</translation>
-    </message>
-    <message>
-        <source>Whose attempt is it?</source>
-        <translation>Wessen Versuch ist es?</translation>
-    </message>
-    <message>
-        <source>Choose a person or type a new name</source>
-        <translation>Wählen Sie eine Person oder geben Sie einen neuen Namen ein</translation>
-    </message>
-    <message>
-        <source>Nobody is chosen.</source>
-        <translation>Niemand ist gewählt.</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Page (*.pdf)</source>
-        <translation>Seite (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Saved to: %1</source>
-        <translation>Gespeichert unter: %1</translation>
-    </message>
-    <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
-    </message>
-    <message>
-        <source>Export a person&apos;s attempts</source>
-        <translation>Versuche einer Person exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>People</source>
@@ -3128,16 +3342,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Noch niemand hier. Versuche erscheinen nach der ersten Lektion; ohne Namen werden sie für den Gast aufgehoben und können später einen Namen bekommen.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>%1 kann nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
         <source>Pages about the chosen person and lesson, to print; of several people the one chosen last</source>
         <translation>Seiten über die gewählte Person und Lektion zum Drucken; bei mehreren die zuletzt gewählte</translation>
-    </message>
-    <message>
-        <source>It is about %1 alone, one of the %2 people chosen.</source>
-        <translation>Er handelt nur von %1, einer der %2 gewählten Personen.</translation>
     </message>
     <message>
         <source>%1 people</source>
@@ -3150,6 +3356,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>%1, those who need attention first</source>
         <translation>%1, zuerst wer Hilfe braucht</translation>
+    </message>
+    <message>
+        <source>Group…</source>
+        <translation>Gruppe…</translation>
+    </message>
+    <message>
+        <source>A page to print with a table of the chosen people, or of all who are listed where only one is chosen: lessons passed, attempts, last score, who needs attention</source>
+        <translation>Eine Seite zum Drucken mit einer Tabelle der gewählten Personen, oder aller gezeigten, wo nur eine gewählt ist: bestandene Lektionen, Versuche, letzte Punkte, wer Aufmerksamkeit braucht</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Alle</translation>
     </message>
 </context>
 <context>
@@ -3455,32 +3673,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
 <context>
     <name>swage::console::ReviewPage</name>
     <message>
-        <source>Compare with</source>
-        <translation>Vergleichen mit</translation>
-    </message>
-    <message>
-        <source>Search name, date and result</source>
-        <translation>In Name, Datum und Ergebnis suchen</translation>
-    </message>
-    <message>
-        <source>Attempts at the same lesson</source>
-        <translation>Versuche derselben Lektion</translation>
-    </message>
-    <message>
-        <source>%1, %2: %3</source>
-        <translation>%1, %2: %3</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>%L1 s</source>
-        <translation>%L1 s</translation>
-    </message>
-    <message>
-        <source>▲ The other attempt cannot be read: %1</source>
-        <translation>▲ Der andere Versuch kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>Choose an attempt on the People page and press Enter, or open one that was saved to a file (Ctrl+O).</source>
@@ -3511,45 +3705,118 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>‹ Personen</translation>
     </message>
     <message>
-        <source>Save attempt</source>
-        <translation>Speichern</translation>
+        <source>Note…</source>
+        <translation>Notiz…</translation>
     </message>
     <message>
-        <source>Save the whole attempt</source>
-        <translation>Den ganzen Versuch speichern</translation>
+        <source>Write a note at the cursor (N)</source>
+        <translation>Eine Notiz an der Marke schreiben (N)</translation>
     </message>
     <message>
-        <source>Everything in one file: swage replay and another station&apos;s Swage can read it</source>
-        <translation>Alles in einer Datei: swage replay und das Swage eines anderen Platzes können sie lesen</translation>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
     </message>
     <message>
-        <source>Export signals (CSV)</source>
-        <translation>Signale (CSV)</translation>
+        <source>Another attempt at this lesson beside it, on the same clock (C)</source>
+        <translation>Ein anderer Versuch dieser Lektion daneben, nach derselben Uhr (C)</translation>
     </message>
     <message>
-        <source>Save the signals</source>
-        <translation>Die Signale speichern</translation>
+        <source>The picture cannot be replayed: %1 Traces, events and metrics are as recorded.</source>
+        <translation>Das Bild kann nicht nachgespielt werden: %1 Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
     </message>
     <message>
-        <source>A thousand lines a second, SI units</source>
-        <translation>Tausend Zeilen je Sekunde, SI-Einheiten</translation>
+        <source>From %L1 s on the picture is not the attempt bit for bit: it was recorded with another version of a plugin. Traces, events and metrics are as recorded.</source>
+        <translation>Ab %L1 s ist das Bild nicht Bit für Bit der Versuch: er wurde mit einer anderen Version eines Plugins aufgezeichnet. Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Report (PDF)</source>
-        <translation>Bericht (PDF)</translation>
+        <source>At %L1 s:</source>
+        <translation>Bei %L1 s:</translation>
     </message>
     <message>
-        <source>Export summary (CSV)</source>
-        <translation>Übersicht (CSV)</translation>
+        <source>▲ The note was not kept: %1</source>
+        <translation>▲ Die Notiz wurde nicht behalten: %1</translation>
     </message>
     <message>
-        <source>Save metrics and events</source>
-        <translation>Kennzahlen und Ereignisse speichern</translation>
+        <source>Ghost</source>
+        <translation>Durchscheinend</translation>
     </message>
+    <message>
+        <source>Choose an attempt</source>
+        <translation>Versuch wählen</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Event before</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>▲ The rating was not kept: %1</source>
+        <translation>▲ Das Urteil wurde nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ReviewPictures</name>
     <message>
         <source>The attempt, replayed</source>
         <translation>Der Versuch, nachgespielt</translation>
     </message>
+    <message>
+        <source>%1, on the way to %2</source>
+        <translation>%1, unterwegs nach %2</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ReviewSide</name>
+    <message>
+        <source>Metrics, events, traces</source>
+        <translation>Kennzahlen, Ereignisse, Kurven</translation>
+    </message>
+    <message>
+        <source>&amp;Metrics</source>
+        <translation>&amp;Kennzahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Worst</source>
+        <translation>S&amp;chlechteste</translation>
+    </message>
+    <message>
+        <source>Worst moments</source>
+        <translation>Schlechteste Momente</translation>
+    </message>
+    <message>
+        <source>&amp;Events</source>
+        <translation>&amp;Ereignisse</translation>
+    </message>
+    <message>
+        <source>&amp;Traces</source>
+        <translation>K&amp;urven</translation>
+    </message>
+    <message>
+        <source>E&amp;ntry</source>
+        <translation>E&amp;instich</translation>
+    </message>
+    <message>
+        <source>&amp;Scales</source>
+        <translation>&amp;Skalen</translation>
+    </message>
+    <message>
+        <source>Rating scales of surgeons: as computed from metrics, and your own rating</source>
+        <translation>Skalen der Chirurgen: aus Kennzahlen berechnet, und Ihr eigenes Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ReviewTransport</name>
     <message>
         <source>Start</source>
         <translation>Start</translation>
@@ -3563,12 +3830,20 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>10 ms zurück (←; mit Umschalt 1 ms, mit Strg 1 s)</translation>
     </message>
     <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
         <source>Play, pause (Space)</source>
         <translation>Abspielen, Pause (Leertaste)</translation>
     </message>
     <message>
         <source>10 ms on (→; with Shift 1 ms, with Ctrl 1 s)</source>
         <translation>10 ms vor (→; mit Umschalt 1 ms, mit Strg 1 s)</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>Play a second before and after the cursor again and again (L)</source>
@@ -3585,22 +3860,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source> s</source>
         <translation> s</translation>
-    </message>
-    <message>
-        <source>Note…</source>
-        <translation>Notiz…</translation>
-    </message>
-    <message>
-        <source>Write a note at the cursor (N)</source>
-        <translation>Eine Notiz an der Marke schreiben (N)</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Vergleichen…</translation>
-    </message>
-    <message>
-        <source>Another attempt at this lesson beside it, on the same clock (C)</source>
-        <translation>Ein anderer Versuch dieser Lektion daneben, nach derselben Uhr (C)</translation>
     </message>
     <message>
         <source>Orbit</source>
@@ -3631,188 +3890,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Kontaktkräfte im Bild zeigen</translation>
     </message>
     <message>
-        <source>This attempt is no longer in the store.</source>
-        <translation>Dieser Versuch ist nicht mehr im Speicher.</translation>
-    </message>
-    <message>
-        <source>The attempt cannot be read: %1</source>
-        <translation>Der Versuch kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>The picture cannot be replayed: %1 Traces, events and metrics are as recorded.</source>
-        <translation>Das Bild kann nicht nachgespielt werden: %1 Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>From %L1 s on the picture is not the attempt bit for bit: it was recorded with another version of a plugin. Traces, events and metrics are as recorded.</source>
-        <translation>Ab %L1 s ist das Bild nicht Bit für Bit der Versuch: er wurde mit einer anderen Version eines Plugins aufgezeichnet. Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>Metrics, events, traces</source>
-        <translation>Kennzahlen, Ereignisse, Kurven</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>Kennzahl</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Better</source>
-        <translation>Besser</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>Kennzahlen</translation>
-    </message>
-    <message>
-        <source>What happened</source>
-        <translation>Was geschah</translation>
-    </message>
-    <message>
-        <source>Meaning</source>
-        <translation>Bedeutung</translation>
-    </message>
-    <message>
-        <source>Which traces are shown</source>
-        <translation>Welche Kurven gezeigt werden</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
-        <source>Worst moments</source>
-        <translation>Schlechteste Momente</translation>
-    </message>
-    <message>
-        <source>A click goes there, Enter or a double click plays it again and again; W: the next</source>
-        <translation>Ein Klick geht dorthin, Eingabe oder ein Doppelklick spielt es immer wieder; W: der nächste</translation>
-    </message>
-    <message>
-        <source>&amp;Metrics</source>
-        <translation>&amp;Kennzahlen</translation>
-    </message>
-    <message>
-        <source>&amp;Worst</source>
-        <translation>S&amp;chlechteste</translation>
-    </message>
-    <message>
-        <source>&amp;Events</source>
-        <translation>&amp;Ereignisse</translation>
-    </message>
-    <message>
-        <source>&amp;Traces</source>
-        <translation>K&amp;urven</translation>
-    </message>
-    <message>
-        <source>E&amp;ntry</source>
-        <translation>E&amp;instich</translation>
-    </message>
-    <message>
-        <source>%1 (never changes)</source>
-        <translation>%1 (ändert sich nie)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>Saved to: %1</source>
-        <translation>Gespeichert unter: %1</translation>
-    </message>
-    <message>
-        <source>At %L1 s:</source>
-        <translation>Bei %L1 s:</translation>
-    </message>
-    <message>
-        <source>▲ The note was not kept: %1</source>
-        <translation>▲ Die Notiz wurde nicht behalten: %1</translation>
-    </message>
-    <message>
-        <source>Ghost</source>
-        <translation>Durchscheinend</translation>
-    </message>
-    <message>
-        <source>Choose an attempt</source>
-        <translation>Versuch wählen</translation>
-    </message>
-    <message>
-        <source>Open a file…</source>
-        <translation>Datei öffnen…</translation>
-    </message>
-    <message>
-        <source>There is no other attempt at this lesson in the store, of anybody.</source>
-        <translation>Im Speicher ist von niemandem ein anderer Versuch an dieser Lektion.</translation>
-    </message>
-    <message>
-        <source>Next event</source>
-        <translation>Nächstes Ereignis</translation>
-    </message>
-    <message>
-        <source>Event before</source>
-        <translation>Voriges Ereignis</translation>
-    </message>
-    <message>
-        <source>%1, on the way to %2</source>
-        <translation>%1, unterwegs nach %2</translation>
-    </message>
-    <message>
-        <source>Other attempt</source>
-        <translation>Anderer Versuch</translation>
-    </message>
-    <message>
-        <source>&amp;Scales</source>
-        <translation>&amp;Skalen</translation>
-    </message>
-    <message>
-        <source>Rating scales of surgeons: as computed from metrics, and your own rating</source>
-        <translation>Skalen der Chirurgen: aus Kennzahlen berechnet, und Ihr eigenes Urteil</translation>
-    </message>
-    <message>
-        <source>Points lost, of 100</source>
-        <translation>Verlorene Punkte, von 100</translation>
-    </message>
-    <message>
-        <source>What each fault has cost of the score</source>
-        <translation>Was jeder Fehler an Punkten gekostet hat</translation>
-    </message>
-    <message>
-        <source>Pages to print: result, metrics, ratings, worst moments, traces, notes</source>
-        <translation>Seiten zum Drucken: Ergebnis, Kennzahlen, Urteile, schlechteste Momente, Kurven, Notizen</translation>
-    </message>
-    <message>
-        <source>Save pages about the attempt</source>
-        <translation>Seiten über den Versuch speichern</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>The attempt as a file for other programs, or for another station</source>
-        <translation>Der Versuch als Datei für andere Programme oder einen anderen Platz</translation>
-    </message>
-    <message>
-        <source>Facts, metrics, ratings and events</source>
-        <translation>Angaben, Kennzahlen, Urteile und Ereignisse</translation>
-    </message>
-    <message>
-        <source>▲ The rating was not kept: %1</source>
-        <translation>▲ Das Urteil wurde nicht aufbewahrt: %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>recorded hand</source>
-        <translation>aufgezeichnete Hand</translation>
     </message>
 </context>
 <context>
@@ -3898,6 +3977,89 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>▲ Columns that are left out: %1.</source>
         <translation>▲ Nicht übernommene Spalten: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::RulePanel</name>
+    <message>
+        <source>Pass rule</source>
+        <translation>Bestehensregel</translation>
+    </message>
+    <message>
+        <source>Kind of rule</source>
+        <translation>Art der Regel</translation>
+    </message>
+    <message>
+        <source>in a row</source>
+        <translation>in Folge</translation>
+    </message>
+    <message>
+        <source>learning-curve test (strict)</source>
+        <translation>Lernkurventest (streng)</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Test attempts in a row</source>
+        <translation>Testversuche in Folge</translation>
+    </message>
+    <message>
+        <source>Test attempts in a row that meet everything that is asked</source>
+        <translation>Testversuche nacheinander, die alles Geforderte erfüllen</translation>
+    </message>
+    <message>
+        <source>then, first of a later day</source>
+        <translation>dann die ersten an späterem Tag</translation>
+    </message>
+    <message>
+        <source>First attempts of a later day that must meet it, too; 0: none</source>
+        <translation>Erste Versuche eines späteren Tages, die es auch erfüllen müssen; 0: keine</translation>
+    </message>
+    <message>
+        <source>Failure rate, competent</source>
+        <translation>Fehlerrate, wer es kann</translation>
+    </message>
+    <message>
+        <source>Share of attempts that a competent person fails</source>
+        <translation>Anteil der Versuche, die einer geübten Person misslingen</translation>
+    </message>
+    <message>
+        <source>Failure rate, not yet</source>
+        <translation>Fehlerrate, noch nicht</translation>
+    </message>
+    <message>
+        <source>Share of attempts that a person fails who is not competent yet</source>
+        <translation>Anteil der Versuche, die einer ungeübten Person misslingen</translation>
+    </message>
+    <message>
+        <source>Signal at</source>
+        <translation>Meldung bei</translation>
+    </message>
+    <message>
+        <source>Lower passes the unready, higher takes longer; 2.4 is usual</source>
+        <translation>Kleiner lässt Ungeübte durch, größer dauert länger; üblich ist 2,4</translation>
+    </message>
+    <message>
+        <source>Attempts a day that count</source>
+        <translation>Versuche am Tag, die zählen</translation>
+    </message>
+    <message>
+        <source>0: all</source>
+        <translation>0: alle</translation>
+    </message>
+    <message>
+        <source>Warm-up attempts a day</source>
+        <translation>Aufwärmversuche am Tag</translation>
+    </message>
+    <message>
+        <source>That do not count</source>
+        <translation>Die nicht zählen</translation>
+    </message>
+    <message>
+        <source>What this rule does in 30 attempts</source>
+        <translation>Was diese Regel in 30 Versuchen bewirkt</translation>
     </message>
 </context>
 <context>
@@ -4843,6 +5005,17 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::TracesList</name>
+    <message>
+        <source>Which traces are shown</source>
+        <translation>Welche Kurven gezeigt werden</translation>
+    </message>
+    <message>
+        <source>%1 (never changes)</source>
+        <translation>%1 (ändert sich nie)</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::TrackPlot</name>
     <message>
         <source>Entry penetration</source>
@@ -5293,6 +5466,29 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Who does what at every station, now?</source>
         <translation>Wer tut gerade was an welchem Platz?</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::WorstTable</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Worst moments</source>
+        <translation>Schlechteste Momente</translation>
+    </message>
+    <message>
+        <source>A click goes there, Enter or a double click plays it again and again; W: the next</source>
+        <translation>Ein Klick geht dorthin, Eingabe oder ein Doppelklick spielt es immer wieder; W: der nächste</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
     </message>
 </context>
 <context>

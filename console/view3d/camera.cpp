@@ -24,10 +24,12 @@ void OrbitCamera::frame(const QVector3D& centre, float radius) {
   home_centre_ = centre;
   home_radius_ = std::max(radius, 1e-3F);
   goal_.focus = centre;
-  goal_.distance = home_radius_ / std::sin(0.5F * kFovDeg * kDeg);
+  goal_.distance = room_ * home_radius_ / std::sin(0.5F * kFovDeg * kDeg);
   backed_ = 1;
   if (held_) goal_.yaw = held_yaw_, goal_.pitch = held_pitch_;
 }
+
+void OrbitCamera::set_room(float factor) { goal_.distance *= factor / std::exchange(room_, factor); }
 
 void OrbitCamera::look(CameraPreset preset) {
   frame(home_centre_, home_radius_);

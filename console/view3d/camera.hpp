@@ -16,6 +16,8 @@ class OrbitCamera {
   /// A sphere (mm) that should fill the picture; also the home of the presets.
   void frame(const QVector3D& centre, float radius);
   void look(CameraPreset preset);
+  /// Distance over that at which the framed sphere fills the picture's height: above 1 for a picture that is narrower than its content.
+  void set_room(float factor);
   /// Compass direction from which the scene is seen: -90 is from the front.
   void look_from(float yaw_deg);
   void turn(float yaw_deg, float pitch_deg);
@@ -62,6 +64,7 @@ class OrbitCamera {
   Pose now_, goal_;
   QVector3D home_centre_{0, 0, 0};
   float home_radius_ = 5;
+  float room_ = 1;
   float backed_ = 1;  // factor on the goal's distance that keeps two points in the picture
   bool follows_ = true;
   bool held_ = false;

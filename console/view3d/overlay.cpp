@@ -74,15 +74,18 @@ QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& fo
   return r;
 }
 
-// draws a rounded label, with room before its text for signs
-void Overlay::pill(const QRectF& r, const QString& text, const QFont& font, double extra_left) {
-  const double h = r.height();
+void Overlay::paint_label(const QRectF& at, double round_px) {
   QColor back = ui_["card"];
   back.setAlpha(225);
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setPen(QPen(ui_["border"], 1));
   p_.setBrush(back);
-  p_.drawRoundedRect(r, 0.5 * h, 0.5 * h);
+  p_.drawRoundedRect(at, round_px, round_px);
+}
+
+// draws a rounded label, with room before its text for signs
+void Overlay::pill(const QRectF& r, const QString& text, const QFont& font, double extra_left) {
+  paint_label(r, 0.5 * r.height());
   p_.setFont(font);
   p_.setPen(ui_["text"]);
   p_.drawText(r.adjusted(10 + extra_left, 0, -10, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
@@ -197,11 +200,32 @@ void Overlay::clock(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);
   font.setBold(true);
-  // in a narrow picture, such as one of two that are compared, the text is smaller, then elided in the middle; the time is kept
+  // in a narrow picture, such as one of two that are compared, the text is smaller, then in several lines
   constexpr double kSmallest = 0.72, kAround_px = 32;
   const double room = std::max(0.0, area_.width() - kAround_px), needed = QFontMetricsF(font).horizontalAdvance(text);
   if (needed > room) font.setPointSizeF(font.pointSizeF() * std::max(kSmallest, room / needed));
-  pill({area_.right(), area_.top()}, QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, room), font);
+  const QStringList lines = broken(text, QFontMetricsF(font), room);
+  lines.size() < 2 ? pill({area_.right(), area_.top()}, text, font) : several(lines, font, room);
+}
+
+// lines in one label in the upper right corner
+void Overlay::several(const QStringList& lines, const QFont& font, double most_px) {
+  constexpr double kEdge_px = 6, kBeside_px = 10, kRound_px = 12;
+  const QFontMetricsF metrics(font);
+  double wide = 0;
+  for (const QString& line : lines) wide = std::max(wide, std::min(most_px, metrics.horizontalAdvance(line)));
+  const double high = static_cast<double>(lines.size()) * metrics.height();
+  QRectF box(0, area_.top() + kEdge_px, wide + 2 * kBeside_px, high + kAboutText_px);
+  box.moveRight(area_.right() - kEdge_px);
+  paint_label(box, kRound_px);
+  p_.setFont(font);
+  p_.setPen(ui_["text"]);
+  QRectF row(box.left() + kBeside_px, box.top() + 0.5 * kAboutText_px, wide, metrics.height());
+  for (const QString& line : lines) {
+    p_.drawText(row, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(line, Qt::ElideRight, wide + 1));
+    row.translate(0, metrics.height());
+  }
+  keep_clear(box);
 }
 
 void Overlay::banner(const QString& text) {

@@ -57,6 +57,8 @@ class Overlay {
 
  private:
   QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);
+  void paint_label(const QRectF& at, double round_px);
+  void several(const QStringList& lines, const QFont& font, double most_px);
   void pill(const QRectF& at, const QString& text, const QFont& font, double extra_left);
   void pill(const QPointF& centre, const QString& text, const QFont& font);
   QPainter& p_;

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "console/view3d/corner.hpp"
-
 namespace swage::console {
 namespace {
 
 constexpr double kSecond = 0.36;       // height of the second view over that of the first
 constexpr double kWidest = 0.42;       // largest width of an inset over that of the first view, which stays visible in a narrow picture
+constexpr double kSmall = 0.7;         // size of the second view over its full one, where that covers the work in every corner
 constexpr double kSecondShape = 1.25;  // width over height
 constexpr int kTipsBeforeEnds = 3;     // weight of a place at the tips against the ends of an object that can be grasped
 constexpr double kMargin_px = 10;
@@ -25,7 +24,7 @@ constexpr float kFurthest_mm = 6;   // from the tips: a target further away is l
 constexpr double kGlide_s = 0.15;   // time constant of the second view's motion
 constexpr float kStill = 0.01F;     // of its size: a smaller motion is ignored
 
-QRectF with_room(const QRectF& at) { return at.adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px); }
+QRectF with_room(const QRectF& at, double room_px = kClear_px) { return at.adjusted(-room_px, -room_px, room_px, room_px); }
 
 }  // namespace
 
@@ -39,7 +38,7 @@ PanelLayout::Change PanelLayout::show_second(bool shown) {
   if (second_shown_ == shown) return Change::kNone;
   second_shown_ = shown;
   second_ = {};
-  corner_ = 0;
+  corner_ = {};
   return Change::kLaidOut;
 }
 
@@ -84,7 +83,7 @@ std::vector<Panel> PanelLayout::panels() const {
   } else {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(point_.camera, shape_of(all)), {}}});
     if (second_there()) {
-      const QRectF at = corner_at(corner_, kSecondShape);
+      const QRectF at = second_at();
       const Eye eye = cross_eye(point_.camera, second_.centre(), second_.radius(), shape_of(at.size()));
       out.push_back({at, at.size(), {eye, {}}, Inset::kDepth});
     }
@@ -100,17 +99,25 @@ std::vector<Panel> PanelLayout::panels() const {
 }
 
 // the corners in order of preference: bottom left, bottom right, top left; clock and cues are at the top right
-QRectF PanelLayout::corner_at(int corner, double shape) const {
-  const double h = std::min(kSecond * size_.height(), kWidest * size_.width() / kSecondShape), w = shape * h;
+QRectF PanelLayout::corner_at(int corner, double shape, double share) const {
+  const double h = share * std::min(kSecond * size_.height(), kWidest * size_.width() / kSecondShape), w = shape * h;
   const double x = corner == 1 ? size_.width() - w - kMargin_px : kMargin_px;
   return {x, corner == 2 ? kMargin_px : size_.height() - h - kMargin_px, w, h};
 }
 
-// never over the tips, their target, a mark of the lesson or an end of the object; other graspable objects are avoided where possible
+QRectF PanelLayout::second_at() const { return corner_at(corner_.corner, kSecondShape, corner_.small ? kSmall : 1); }
+
+// never over the tips, their target, a mark of the lesson, an end or the middle of the object; other graspable objects are avoided where
+// possible. In a small window, where the full size covers one of them in every corner, the inset is smaller.
 PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
-  std::array<QRectF, 3> corners;
-  for (int i = 0; i < 3; ++i) corners[static_cast<size_t>(i)] = with_room(corner_at(i, kSecondShape));
+  std::array<QRectF, 3> full, small, wide;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<size_t>(i);
+    full[k] = with_room(corner_at(i, kSecondShape));
+    small[k] = with_room(corner_at(i, kSecondShape, kSmall));
+    wide[k] = with_room(full[k]);
+  }
   std::vector<QPointF> rather;
   for (const Spot& s : scene_.parts().aim) rather.push_back(eye.project(scene_.place_of(s), size_));
   std::vector<QPointF> must;
@@ -118,11 +125,14 @@ PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVec
     must.insert(must.end(), {eye.project(tips, size_), eye.project(aim, size_)});
     for (const QVector3D& mark : scene_.points()) must.push_back(eye.project(mark, size_));
   }
-  for (const Spot& end : scene_.parts().ends) must.push_back(eye.project(scene_.place_of(end), size_));
-  const int best = least_covered(corners, second_.empty() ? -1 : corner_, must, rather);
+  const SceneParts& parts = scene_.parts();
+  for (const Spot& end : parts.ends) must.push_back(eye.project(scene_.place_of(end), size_));
+  if (parts.watched >= 0) must.push_back(eye.project(scene_.place_of({static_cast<uint32_t>(parts.watched), parts.watched_on}), size_));
+  const CornerPlace best = least_covered(full, small, wide, corner_, second_.empty(), must, rather);
   if (best == corner_) return Change::kNone;
+  const bool resized = best.small != corner_.small;
   corner_ = best;
-  return Change::kMoved;
+  return resized ? Change::kLaidOut : Change::kMoved;
 }
 
 // the loupe avoids the tips, the wound and the second view
@@ -130,7 +140,7 @@ PanelLayout::Change PanelLayout::choose_loupe_corner() {
   if (loupe_mm_ <= 0 || held()) return Change::kNone;
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
   const auto free = [&](int corner) {
-    if (second_there() && corner == corner_) return false;
+    if (second_there() && corner == corner_.corner) return false;
     const QRectF at = with_room(corner_at(corner, kLoupeShape));
     return !at.contains(eye.project(scene_.middle_of_tips(), size_)) && !at.contains(eye.project(wound_.middle, size_));
   };
@@ -165,7 +175,7 @@ PanelLayout::Change PanelLayout::follow_tips(double dt_s) {
   if (!fresh && (centre - second_.centre()).length() + std::abs(radius - second_.radius()) < kStill * radius) return corner;
   second_.low = fresh ? centre - half : second_.low + k * (centre - half - second_.low);
   second_.high = fresh ? centre + half : second_.high + k * (centre + half - second_.high);
-  return fresh ? Change::kLaidOut : Change::kMoved;
+  return std::max(corner, fresh ? Change::kLaidOut : Change::kMoved);
 }
 
 QSize PanelLayout::canvas() const {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "console/view3d/corner.hpp"
 #include "console/view3d/renderer.hpp"
 #include "console/view3d/view_point.hpp"
 #include "console/view3d/wound_surface.hpp"
@@ -52,12 +53,14 @@ class PanelLayout {
   double mm_per_pixel() const;
 
  private:
-  QRectF corner_at(int corner, double shape) const;
+  /// `share`: of the full size of an inset.
+  QRectF corner_at(int corner, double shape, double share = 1) const;
   Panel loupe() const;
   Change fit_loupe();
   Change choose_corner(const QVector3D& tips, const QVector3D& aim);
   Change choose_loupe_corner();
   Change follow_tips(double dt_s);
+  QRectF second_at() const;
   bool second_there() const { return second_shown_ && !second_.empty(); }
 
   const SceneState& scene_;
@@ -68,7 +71,7 @@ class PanelLayout {
   std::optional<Inset> dragged_in_;
   bool second_shown_ = false, loupe_shown_ = true;
   Bounds second_;         // sphere that the second view shows now
-  int corner_ = 0;        // corner of the second view
+  CornerPlace corner_;    // of the second view
   int loupe_corner_ = 1;  // corner of the loupe
   float loupe_mm_ = 0;    // radius of what the loupe shows, 0 for no loupe
 };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "console/view3d/region_look.hpp"
+#include "console/view3d/scene_ground.hpp"
 #include "console/view3d/tool_tips.hpp"
 
 namespace swage::console {
@@ -20,7 +21,6 @@ constexpr float kBeside = 1.8F;  // from the middle of the work
 constexpr double kTaper = 16;
 // length of the collars at the ends of a region, m
 constexpr double kCollar = 0.1e-3;
-constexpr float kTouch_mm = 0.05F;  // the work may begin so far inside its stage
 // vertices of a tool so many times further from the work than its foremost part belong to its handle, not to a tip
 constexpr float kBehind = 1.6F;
 
@@ -32,13 +32,6 @@ bool has_trait(const snapshot::CardObject& object, const char* trait) {
 // Length of the drawn point of a needle, m: an object that pierces is pointed, though its shapes are not.
 double taper_of(const snapshot::SceneCard& card, uint32_t object, double radius) {
   return object < card.objects.size() && has_trait(card.objects[object], "piercing") ? kTaper * radius : 0;
-}
-
-void add_bounds(const snapshot::SceneCard& card, const ScenePart& part, Bounds& bounds) {
-  const swage_pose X_WB = part.in_world() ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : card.start[part.body];
-  const QQuaternion q = to_qt(X_WB.q);
-  const QVector3D p = to_mm(X_WB.p);
-  for (const Vertex& v : part.mesh.vertex) bounds.add(p + q.rotatedVector({v.p[0], v.p[1], v.p[2]}));
 }
 
 int chain_of(const SceneParts& parts, uint32_t object) {
@@ -151,59 +144,6 @@ bool is_marked(const snapshot::SceneCard& card, uint32_t object) {
   });
 }
 
-// the largest level face of the parts that satisfy `wanted`, not above `highest`
-template <class Wanted>
-Ground find_level(const snapshot::SceneCard& card, const SceneParts& parts, float highest,
-                  const Wanted& wanted) {
-  struct Level {
-    Bounds bounds;
-    double area = 0;
-    size_t part = 0;
-  };
-  std::map<long, Level> levels;  // by height, in hundredths of a millimetre
-  for (size_t k = 0; k < parts.part.size(); ++k) {
-    const ScenePart& part = parts.part[k];
-    if (!wanted(part)) continue;
-    const QQuaternion q = to_qt(card.start[part.body].q);
-    const QVector3D p = to_mm(card.start[part.body].p);
-    const auto at = [&](uint32_t i) {
-      const float* v = part.mesh.vertex[i].p;
-      return p + q.rotatedVector({v[0], v[1], v[2]});
-    };
-    for (size_t i = 0; i + 2 < part.mesh.index.size(); i += 3) {
-      const QVector3D a = at(part.mesh.index[i]), b = at(part.mesh.index[i + 1]),
-                      c = at(part.mesh.index[i + 2]);
-      const QVector3D n = QVector3D::crossProduct(b - a, c - a);
-      if (n.z() < 0.999F * n.length() || n.length() <= 0 || a.z() > highest) continue;
-      Level& level = levels[std::lround(100 * a.z())];
-      level.part = k;
-      level.area += 0.5 * static_cast<double>(n.length());
-      for (const QVector3D& v : {a, b, c}) level.bounds.add(v);
-    }
-  }
-  Ground ground;
-  double most = 0;
-  for (const auto& [height, level] : levels) {
-    if (level.area <= most) continue;
-    most = level.area;
-    const QVector3D size = level.bounds.high - level.bounds.low, c = level.bounds.centre();
-    ground = {level.bounds.high.z(), true, level.part, {c.x(), c.y(), 0}, 0.5F * size.x(), 0.5F * size.y()};
-  }
-  return ground;
-}
-
-// the stage below the work; without one a plane right below the work and any tissue
-Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
-  const Ground ground = find_level(card, parts, parts.work.low.z() + kTouch_mm,
-                                   [](const ScenePart& p) { return p.role == Role::kStage && !p.soft; });
-  if (ground.on_stage) return ground;
-  Bounds all = parts.work;
-  for (const ScenePart& p : parts.part) {
-    if (p.soft) add_bounds(card, p, all);
-  }
-  return {all.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
-}
-
 // the vertex of a part nearest to `place`, both in the mesh's frame; returned in the body's frame
 QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part, const QVector3D& place) {
   QVector3D best;
@@ -216,12 +156,6 @@ QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part,
   }
   const swage_pose& X = card.start[part.body];
   return !part.in_world() ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
-}
-
-// A thread follows the object that it is tied to: the work is the needle, where there is one.
-bool only_follows(const ScenePart& part, const SceneParts& parts) {
-  if (part.thread < 0) return false;
-  return std::any_of(parts.part.begin(), parts.part.end(), [](const ScenePart& p) { return p.role == Role::kWork && p.thread < 0; });
 }
 
 // The vertex of a part that is furthest from its middle, and the vertex furthest from that one.
@@ -384,7 +318,7 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   }
   if (parts.work.empty()) parts.work.add({0, 0, 0});
   parts.ground = find_ground(card, parts);
-  parts.shelf = find_level(card, parts, 1e9F, [](const ScenePart& p) { return p.soft; });
+  parts.shelf = find_shelf(card, parts);
   watch(card, parts);
 
   parts.focus = focus(card, parts, tool);

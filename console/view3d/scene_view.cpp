@@ -14,6 +14,7 @@ namespace {
 constexpr int kTick_ms = 16;
 constexpr int kSamples = 4, kMostViews = 3;
 constexpr int kFirstPictures = 16;  // pictures drawn at least: shaders and meshes load in the background, and the first pictures are empty
+constexpr float kMostRoom = 1.6F;  // times the usual distance: from further away a needle is too small to be judged
 constexpr qint64 kPatience_ms = 30000;  // so long an empty picture is taken for one that is still loading
 
 // true when the image has one colour only
@@ -69,9 +70,15 @@ void SceneView::measure() {
 // To be called when the size of the widget, its insets or its eyes changed.
 void SceneView::lay_out() {
   measure();
+  if (whole_shape_ > 0) point_.camera.set_room(std::clamp(whole_shape_ / shape_of(size()), 1.F, kMostRoom));
   if (renderer_) renderer_->resize(panels_.canvas());
   touch(4);
   update();
+}
+
+void SceneView::set_whole_width(float shape) {
+  whole_shape_ = shape;
+  lay_out();
 }
 
 void SceneView::apply(PanelLayout::Change change) {

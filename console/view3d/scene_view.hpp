@@ -52,6 +52,8 @@ class SceneView : public QWidget {
   void set_cues_shown(bool shown);
   bool cues_shown() const { return shown_.cues_shown; }
   void set_forces_shown(bool shown);
+  /// A picture narrower than this shape (width over height), such as one of two that are compared, shows as much across as one of this shape.
+  void set_whole_width(float shape);
   /// Colours a bending needle by its stress, for the instructor.
   void set_stress_shown(bool shown);
   /// Texts over the picture: the clock at the right, a banner in the middle ("" for none).
@@ -148,6 +150,7 @@ class SceneView : public QWidget {
   EyesSink eyes_sink_;
   QElapsedTimer since_card_, clock_;
   qint64 last_tick_ns_ = 0;
+  float whole_shape_ = 0;  // width over height; 0: a narrow picture is cut at its sides
   QTimer timer_;
 };
 

@@ -18,6 +18,17 @@
 
 namespace swage::console {
 
+namespace {
+
+// the entry of a list that stands for a choice, by the choice's index
+int entry_of(const QComboBox& box, double choice) {
+  for (int i = 0; i < box.count(); ++i)
+    if (box.itemData(i).value<QVector<int>>().contains(static_cast<int>(choice))) return i;
+  return -1;
+}
+
+}  // namespace
+
 LiveForm::LiveForm(QWidget* parent, Of of) : QFrame(parent), column_(new QVBoxLayout(this)), of_(of) {
   setObjectName(QStringLiteral("live_form"));
   column_->setContentsMargins(0, 0, 0, 0);
@@ -105,9 +116,10 @@ QWidget* LiveForm::make_editor(int field, int component) {
   }
   if (p.param.type == SWAGE_PARAM_CHOICE) {
     auto* box = new QComboBox(body_);
-    for (const std::string& choice : p.param.choices) box->addItem(said(choice, p.folder));
-    box->setCurrentIndex(static_cast<int>(start));
-    connect(box, &QComboBox::currentIndexChanged, this, [=, this](int i) { edit(field, component, i); });
+    for (const LiveParam::Entry& entry : p.entries()) box->addItem(entry.words, QVariant::fromValue(entry.choices));
+    box->setCurrentIndex(entry_of(*box, start));
+    connect(box, &QComboBox::currentIndexChanged, this,
+            [=, this](int i) { edit(field, component, box->itemData(i).value<QVector<int>>().first()); });
     return box;
   }
   auto* box = new QDoubleSpinBox(body_);
@@ -115,9 +127,9 @@ QWidget* LiveForm::make_editor(int field, int component) {
   box->setDecimals(p.decimals());
   box->setRange(p.param.min * factor, p.param.max * factor);
   box->setSingleStep(p.step());
-  if (!p.least_words.empty()) box->setSpecialValueText(said(p.least_words, p.folder));
+  box->setSpecialValueText(p.least_text());
   if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
-  if (p.param.type == SWAGE_PARAM_VECTOR && p.param.dimension == 2) box->setPrefix(component == 0 ? tr("from ") : tr("to "));
+  if (p.is_range()) box->setPrefix(component == 0 ? tr("from ") : tr("to "));
   box->setValue(start * factor);
   box->setKeyboardTracking(false);  // while "0.25" is typed, neither 0 nor 0.2 is set
   connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });
@@ -144,6 +156,7 @@ QString LiveForm::words(const Field& field) const {
   if (p.param.type == SWAGE_PARAM_CHOICE)
     return QStringLiteral("%1: %2").arg(
         name, said(p.param.choices[static_cast<size_t>(field.value[0])], p.folder));
+  if (const QString least = p.least_text(); !least.isEmpty() && field.value[0] <= p.param.min) return QStringLiteral("%1: %2").arg(name, least);
   QStringList numbers;
   for (int c = 0; c < field.editors.size(); ++c)
     numbers += QLocale().toString(field.value[static_cast<size_t>(c)] * p.factor(), 'f', p.decimals());
@@ -160,7 +173,7 @@ void LiveForm::put(int index, const std::array<double, 4>& value) {
       spin->setValue(v * field.param.factor());
     if (auto* check = qobject_cast<QCheckBox*>(field.editors[c])) check->setChecked(v > 0.5);
     if (auto* choice = qobject_cast<QComboBox*>(field.editors[c]))
-      choice->setCurrentIndex(static_cast<int>(v));
+      choice->setCurrentIndex(entry_of(*choice, v));
   }
   enable(field);
   filling_ = false;
@@ -245,17 +258,19 @@ QString LiveForm::title_of(const std::string& id) const {
   return title;
 }
 
-// "hold" matches the time of a hold and not all parameters of the holder; "needle" matches all of the needle; "tiss" all of the tissue, if
-// no parameter's name matches
+// "hold" matches the time of a hold and not all parameters of the holder; "limit" the section of limits; "needle" matches all of the needle;
+// "tiss" all of the tissue, if no parameter's name matches; and a word of an explanation is looked for where nothing else matches
 bool LiveForm::find(const QString& text) {
-  const auto named = [&](const Field& field) { return field.label->text().contains(text, Qt::CaseInsensitive); };
+  const auto has = [&](const QString& words) { return words.contains(text, Qt::CaseInsensitive); };
+  const auto named = [&](const Field& field) { return has(field.label->text()) || has(said(field.param.param.group, field.param.folder)); };
+  const auto explained = [&](const Field& field) { return has(field.label->toolTip()); };
+  const auto part_named = [&](const Field& field) { return has(field.heading->text()); };
   const bool names = std::any_of(fields_.begin(), fields_.end(), named);
+  const bool parts = std::any_of(fields_.begin(), fields_.end(), part_named);
   QHash<QLabel*, bool> any;
   for (const Field& field : fields_) {
-    const QString part = field.heading->text();
-    const bool of_part = names ? part.split(QLatin1Char(' ')).contains(text, Qt::CaseInsensitive)
-                               : part.contains(text, Qt::CaseInsensitive);
-    const bool shown = text.isEmpty() || named(field) || of_part;
+    const bool of_part = names ? field.heading->text().split(QLatin1Char(' ')).contains(text, Qt::CaseInsensitive) : part_named(field);
+    const bool shown = text.isEmpty() || named(field) || of_part || (!names && !parts && explained(field));
     field.label->setVisible(shown);
     field.back->setVisible(shown);
     for (QWidget* editor : field.editors) editor->setVisible(shown);

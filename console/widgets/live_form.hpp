@@ -40,7 +40,8 @@ class LiveForm : public QFrame {
   int preset(const QVector<Change>& values);
   /// The title of the parameter with this id; "" where the form has none, or several.
   QString title_of(const std::string& id) const;
-  /// Shows only the lines whose title, or whose part's name, contains the text; all for "". Returns whether any match.
+  /// Shows only the lines whose title, section or part's name contains the text, or where none does, whose explanation does; all for "".
+  /// Returns whether any match.
   bool find(const QString& text);
 
  Q_SIGNALS:

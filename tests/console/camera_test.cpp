@@ -130,5 +130,25 @@ TEST(Camera, ScaleIsTrueAtTheFocus) {
   EXPECT_NEAR((b.x() - a.x()) * middle_eye(camera, 4.F / 3).mm_per_pixel(600), 1, 1e-3);
 }
 
+// a picture of half the width shows as much across from further away, also after the person has zoomed
+TEST(Camera, RoomIsKeptOverViewsAndZoom) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 5);
+  camera.jump();
+  const float usual = camera.distance();
+  camera.set_room(1.5F);
+  camera.jump();
+  EXPECT_NEAR(camera.distance(), 1.5F * usual, 1e-3);
+  camera.look(CameraPreset::kOrbit);
+  camera.jump();
+  EXPECT_NEAR(camera.distance(), 1.5F * usual, 1e-3);
+  camera.zoom(2);
+  camera.jump();
+  const float zoomed = camera.distance();
+  camera.set_room(1);
+  camera.jump();
+  EXPECT_NEAR(camera.distance(), zoomed / 1.5F, 1e-3);
+}
+
 }  // namespace
 }  // namespace swage::console

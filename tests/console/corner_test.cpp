@@ -29,5 +29,29 @@ TEST(Corner, CoversOtherThingsRatherThanTheTips) {
 
 TEST(Corner, StaysWhereAnotherIsNoBetter) { EXPECT_EQ(least_covered(kCorners, 1, {}, {kFirst, kSecond, kThird}), 1); }
 
+std::array<QRectF, 3> grown(double by) {
+  std::array<QRectF, 3> out = kCorners;
+  for (QRectF& at : out) at.adjust(-by, -by, by, by);
+  return out;
+}
+
+CornerPlace placed(CornerPlace now, const std::vector<QPointF>& must) {
+  return least_covered(kCorners, grown(-50), grown(20), now, false, must, {});
+}
+
+TEST(Corner, IsSmallWhereTheFullSizeCoversSomethingInEveryCorner) {
+  const QPointF edge(740, 310), edge_2(190, 310), edge_3(190, 190);  // in each corner at the full size, in none at the small one
+  EXPECT_EQ(placed({0, false}, {edge, edge_2, edge_3}), (CornerPlace{0, true}));
+  EXPECT_EQ(placed({0, false}, {kFirst, edge, kThird}), (CornerPlace{1, true}));
+  EXPECT_EQ(placed({1, false}, {kFirst, kThird}), (CornerPlace{1, false})) << "a corner is clear";
+  EXPECT_EQ(placed({0, false}, {kFirst, kSecond, kThird}).small, false) << "smaller would be no better";
+}
+
+TEST(Corner, GrowsAgainOnlyWithRoomAboutIt) {
+  const QPointF beside(590, 310);  // not in the second corner, but near it
+  EXPECT_EQ(placed({1, true}, {kFirst, kThird, beside}), (CornerPlace{1, true}));
+  EXPECT_EQ(placed({1, true}, {kFirst, kThird}), (CornerPlace{1, false}));
+}
+
 }  // namespace
 }  // namespace swage::console

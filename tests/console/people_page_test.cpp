@@ -167,13 +167,13 @@ TEST_F(PeoplePages, AReportIsOnePage) {
   click("page_people");
   window->people_page()->select_person("Arun P.");
   const QString file = dir.filePath("report.pdf");
-  EXPECT_EQ(window->people_page()->write_report_to(file), QString());
+  EXPECT_EQ(window->people_page()->files()->write_report_to(file, window->people_page()->chosen()), QString());
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray text = written.readAll();
   EXPECT_TRUE(text.startsWith("%PDF"));
   EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
-  EXPECT_TRUE(window->people_page()->write_report_to(QStringLiteral("/nowhere/r.pdf")).contains("/nowhere"));
+  EXPECT_TRUE(window->people_page()->files()->write_report_to(QStringLiteral("/nowhere/r.pdf"), window->people_page()->chosen()).contains("/nowhere"));
 }
 
 // All attempts are listed, on as many pages as they need.
@@ -190,7 +190,7 @@ TEST_F(PeoplePages, AReportOfManyAttemptsHasFurtherPages) {
   click("page_people");
   window->people_page()->select_person("Arun P.");
   const QString file = dir.filePath("report.pdf");
-  ASSERT_EQ(window->people_page()->write_report_to(file), QString());
+  ASSERT_EQ(window->people_page()->files()->write_report_to(file, window->people_page()->chosen()), QString());
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray text = written.readAll();
@@ -224,7 +224,7 @@ TEST_F(PeoplePages, AttemptsLeaveWithVersionsAndHealth) {
   click("page_people");
   window->people_page()->select_person("Arun P.");
   record::Selection asked;
-  window->people_page()->set_export([&](const std::string&, const record::Selection& which, std::vector<record::Exported>& out, std::string&) {
+  window->people_page()->files()->set_export([&](const std::string&, const record::Selection& which, std::vector<record::Exported>& out, std::string&) {
     asked = which;
     record::Exported& e = out.emplace_back();
     e.attempt = attempts[0];
@@ -234,7 +234,7 @@ TEST_F(PeoplePages, AttemptsLeaveWithVersionsAndHealth) {
     return true;
   });
   const QString file = dir.filePath("own.csv");
-  ASSERT_EQ(window->people_page()->write_attempts_to(file), QString());
+  ASSERT_EQ(window->people_page()->files()->write_attempts_to(file, window->people_page()->chosen()), QString());
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray text = written.readAll();

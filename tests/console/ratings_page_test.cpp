@@ -110,9 +110,9 @@ TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
   choose("5");
   EXPECT_EQ(kept(id)[0].points, 5);
   const QString pdf = dir.filePath("rated.pdf"), csv = dir.filePath("rated.csv");
-  EXPECT_EQ(review()->write_report(pdf), QString());
+  EXPECT_EQ(review()->exports()->write_report(pdf), QString());
   EXPECT_GT(QFileInfo(pdf).size(), 5000);
-  EXPECT_EQ(review()->write_summary(csv), QString());
+  EXPECT_EQ(review()->exports()->write_summary(csv), QString());
   QFile written(csv);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray text = written.readAll();

@@ -72,6 +72,17 @@ TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {
   EXPECT_FALSE(child<QAction>("save_swage")->isEnabled());
 }
 
+TEST_F(ReviewPages, ASecondAttemptIsAnOption) {
+  attempts = sample_attempts();
+  launch.review = "latest";
+  launch.compare = QString::fromStdString(attempts.back().id);
+  open();
+  EXPECT_TRUE(review()->comparing());
+  EXPECT_TRUE(child<QLabel>("other_title")->isVisible());
+  review()->end_comparison();
+  EXPECT_FALSE(child<QLabel>("other_title")->isVisible());
+}
+
 TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
   open_review();
   console::Timeline* timeline = review()->timeline();
@@ -141,13 +152,13 @@ TEST_F(ReviewPages, AnUnreadableAttemptSaysWhyAndNothingCanBeSaved) {
 TEST_F(ReviewPages, WritesCsvAndSaysWhatItCannotWrite) {
   open_review();
   const QString file = dir.filePath("signals.csv");
-  EXPECT_EQ(review()->write_signals(file), QString());
+  EXPECT_EQ(review()->exports()->write_signals(file), QString());
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   EXPECT_EQ(written.readAll().count('\n'), 2001);
-  EXPECT_EQ(review()->write_summary(dir.filePath("summary.csv")), QString());
-  EXPECT_TRUE(review()->write_signals("/no/such/folder/x.csv").contains("cannot be written"));
-  EXPECT_TRUE(review()->write_swage(dir.filePath("a.swage")).contains("is a fake"));
+  EXPECT_EQ(review()->exports()->write_summary(dir.filePath("summary.csv")), QString());
+  EXPECT_TRUE(review()->exports()->write_signals("/no/such/folder/x.csv").contains("cannot be written"));
+  EXPECT_TRUE(review()->exports()->write_swage(dir.filePath("a.swage")).contains("is a fake"));
 }
 
 TEST_F(ReviewPages, ALoopGoesRoundUntilItIsLeft) {
@@ -255,13 +266,13 @@ TEST_F(ReviewPages, ASmallScreenHoldsThePage) {
 TEST_F(ReviewPages, AnAttemptIsOnePageOfPaper) {
   open_review();
   const QString file = dir.filePath("attempt.pdf");
-  EXPECT_EQ(review()->write_report(file), QString());
+  EXPECT_EQ(review()->exports()->write_report(file), QString());
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray text = written.readAll();
   EXPECT_TRUE(text.startsWith("%PDF"));
   EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
-  EXPECT_TRUE(review()->write_report(QStringLiteral("/nowhere/a.pdf")).contains("/nowhere"));
+  EXPECT_TRUE(review()->exports()->write_report(QStringLiteral("/nowhere/a.pdf")).contains("/nowhere"));
 }
 
 // U7: 50 ms in a minute; ten seconds outside soaks, as the loss at each tick accumulates

@@ -142,6 +142,16 @@ TEST(SceneParts, GroundIsTheLargestLevelFaceBelowTheWork) {
   EXPECT_NEAR(make_parts(card).ground.z, 1.95, 0.01);
 }
 
+TEST(SceneParts, TheGridStaysOnATrayInWhoseFloorAnotherThingBegins) {
+  snapshot::SceneCard card = scene();
+  card.script.marks.clear();    // all that can be grasped is the work
+  card.start[4].p = {0, 0, 0};  // the ball, half in the floor
+  const SceneParts parts = make_parts(card);
+  ASSERT_TRUE(parts.ground.on_stage);
+  EXPECT_EQ(parts.part[parts.ground.part].object, 0U);
+  EXPECT_NEAR(parts.ground.half_x, 10, 1e-3);
+}
+
 TEST(SceneParts, ShadowsFallOnTissueToo) {
   EXPECT_FALSE(make_parts(scene()).shelf.on_stage);
   snapshot::SceneCard card = scene();

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QImage>
+#include <QPainter>
 #include <QSet>
 #include <QTemporaryDir>
 
@@ -163,6 +165,27 @@ TEST(CueThemes, ASoundThatDoesNotExistIsRefusedWithTheList) {
 
 TEST(CueThemes, ThesisColoursAreNotWhichIsWhyThereIsASafeOne) {
   EXPECT_LT(worst_pair(CueTheme::stock("thesis")), 20);
+}
+
+// where to grasp and where not may have one colour, red: their signs are no part of each other
+TEST(CueThemes, WhereToGraspAndAWrongPlaceDifferByTheirFirstSign) {
+  for (const QString& id : CueTheme::stock()) {
+    const CueTheme theme = CueTheme::stock(id);
+    const auto picture = [&](const char* meaning) {
+      QImage out(24, 24, QImage::Format_Grayscale8);
+      out.fill(Qt::white);
+      QPainter painter(&out);
+      CueStyle style = theme.style(QString::fromLatin1(meaning));
+      style.shape = style.shape.left(1);
+      style.colour = Qt::black;
+      paint_cue_shape(painter, {0, 0}, 24, style);
+      painter.end();
+      return out;
+    };
+    for (const char* wrong : {"grasp.wrong", "grasp.tips_only"})
+      for (const char* here : {"region.target", "target.point", "grasp.good"}) EXPECT_NE(picture(wrong), picture(here)) << wrong << " " << here;
+    EXPECT_NE(picture("region.target"), picture("target.point"));
+  }
 }
 
 TEST(CueThemes, EveryStateDiffersWithoutColourToo) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/review_pictures.hpp"
+
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "console/models/said.hpp"
+#include "console/models/words.hpp"
+#include "console/pages/comparison.hpp"
+
+namespace swage::console {
+
+ReviewPictures::ReviewPictures(const ReviewedAttempt& attempt, QWidget* parent)
+    : QWidget(parent), attempt_(attempt), snapshot_(std::make_unique<snapshot::Snapshot>()) {
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(6);
+  view_ = new SceneView(this);
+  view_->setObjectName(QStringLiteral("review_view"));
+  view_->setAccessibleName(tr("The attempt, replayed"));
+  view_->set_whole_width(kWholeShape);
+  row_ = new QHBoxLayout;
+  row_->setSpacing(8);
+  row_->addWidget(view_, 1);
+  column_->addLayout(row_, 1);
+}
+
+ReviewPictures::~ReviewPictures() = default;
+
+void ReviewPictures::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  ui_ = ui;
+  cues_ = cues;
+  if (other_) other_->set_themes(ui, cues);
+  view_->set_themes(ui, cues);
+}
+
+void ReviewPictures::show_scene() {
+  if (!attempt_.player()) return;
+  reading_ = Reader(attempt_.player()->card());
+  view_->set_card(attempt_.player()->card(), CameraPreset::kOrbit);
+}
+
+bool ReviewPictures::toward(double wanted_s, uint64_t most) {
+  bool there = true;
+  if (Player* player = attempt_.player()) {
+    there = player->toward(static_cast<uint64_t>(std::llround(wanted_s / attempt_.review().dt_s)), most);
+    show_player(wanted_s);
+  }
+  if (comparing()) there = other_->toward(wanted_s, most) && there;
+  move_ghost();
+  return there;
+}
+
+void ReviewPictures::show_player(double wanted_s) {
+  const Player& player = *attempt_.player();
+  player.fill(*snapshot_);
+  view_->show_snapshot(*snapshot_);
+  const Reading reading = reading_.read(*snapshot_);
+  view_->set_hold(reading.hold.value_or(0));
+  Q_EMIT cues_on(reading.meanings);
+  QString clock = clock_text(snapshot_->time_s);
+  // a large jump takes seconds to compute
+  constexpr double kBehind_s = 1;
+  if (std::abs(wanted_s - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s));
+  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});
+  const uint64_t first = player.first_difference();
+  if (first < player.count()) Q_EMIT differs(static_cast<double>(first) * attempt_.review().dt_s);
+}
+
+QString ReviewPictures::compare(const QString& attempt_id) {
+  record::AttemptRow row;
+  record::Recording recording;
+  const std::string id = attempt_id.toStdString();
+  if (const QString why = attempt_.read_other(id, row, recording); !why.isEmpty()) return why;
+  if (!other_) {
+    other_ = new Comparison(this);
+    other_->set_themes(ui_, cues_);
+    column_->insertWidget(0, other_->head());
+    row_->addWidget(other_, 1);
+    connect(other_, &Comparison::aligned, this, [this] {
+      if (!comparing()) return;
+      set_ghost();
+      Q_EMIT aligned();
+    });
+    connect(other_, &Comparison::ghost_changed, this, &ReviewPictures::set_ghost);
+    connect(other_, &Comparison::closed, this, &ReviewPictures::end_comparison);
+  }
+  other_->set_attempt(attempt_.review(), row, std::move(recording), attempt_.store()->events(id), attempt_.opener());
+  other_->show();
+  other_->head()->show();
+  set_ghost();
+  return {};
+}
+
+// Shows the other attempt's instruments in this one's picture, on the shifted clock.
+void ReviewPictures::set_ghost() {
+  const bool wanted = attempt_.player() && comparing() && other_->ghost_wanted();
+  view_->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());
+  move_ghost();
+}
+
+void ReviewPictures::move_ghost() {
+  if (comparing() && other_->ghost_wanted()) view_->show_ghost(other_->X_WB());
+}
+
+void ReviewPictures::toggle_ghost() {
+  if (comparing()) other_->toggle_ghost();
+}
+
+void ReviewPictures::end_comparison() {
+  if (!comparing()) return;
+  other_->hide();
+  other_->head()->hide();
+  set_ghost();
+  Q_EMIT ended();
+}
+
+bool ReviewPictures::comparing() const { return other_ && !other_->isHidden(); }
+
+void ReviewPictures::look(CameraPreset preset) {
+  view_->look(preset);
+  if (comparing()) other_->view()->look(preset);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the people of a group stand, and the page about it.
+#include <gtest/gtest.h>
+
+#include <QFile>
+
+#include "console/report/group_report.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::console {
+namespace {
+
+using swage::test::WindowTest;
+
+record::AttemptRow attempt(const char* lesson, const char* utc, bool passed, double score, const char* mode = "test") {
+  record::AttemptRow a;
+  a.id = std::string(lesson) + utc;
+  a.lesson_id = a.lesson_title = lesson;
+  a.started_utc = utc;
+  a.outcome = passed ? "passed" : "failed";
+  a.reason = passed ? "" : "failed.dropped";
+  a.mode = mode;
+  a.score = score;
+  return a;
+}
+
+record::Person person(const char* name) {
+  record::Person p;
+  p.id = p.name = name;
+  p.code = std::string("C") + name;
+  return p;
+}
+
+const QDateTime kNow = QDateTime::fromString(QStringLiteral("2026-03-05T12:00:00Z"), Qt::ISODate);
+
+record::Course course() {
+  record::Course c;
+  c.title = "Basic";
+  for (const char* lesson : {"grasp", "carry"}) {
+    record::CourseStep step;
+    step.lesson_id = step.title = lesson;
+    step.rule.in_a_row = 2, step.rule.later_day = 0;
+    c.steps.push_back(step);
+  }
+  return c;
+}
+
+TEST(GroupRows, OverAllLessonsOnePassedAttemptPasses) {
+  const std::vector<record::AttemptRow> own = {attempt("carry", "2026-03-04T10:02:00Z", false, 0), attempt("grasp", "2026-03-04T10:01:00Z", true, 70),
+                                               attempt("grasp", "2026-03-04T10:00:00Z", true, 90)};
+  const GroupRow row = group_row(person("Ada"), own, nullptr, kNow);
+  EXPECT_EQ(row.lessons_passed, 1);
+  EXPECT_EQ(row.attempts, 3);
+  EXPECT_EQ(row.passed, 2);
+  ASSERT_TRUE(row.last_score.has_value());
+  EXPECT_EQ(*row.last_score, 70) << "of the newest passed one: what failed has none";
+  EXPECT_EQ(row.flag, "");
+}
+
+TEST(GroupRows, InACourseTheRulePassesAndOtherLessonsDoNotCount) {
+  const std::vector<record::AttemptRow> own = {attempt("other", "2026-03-04T10:05:00Z", true, 99), attempt("carry", "2026-03-04T10:02:00Z", true, 60),
+                                               attempt("grasp", "2026-03-04T10:01:00Z", true, 70), attempt("grasp", "2026-03-04T10:00:00Z", true, 90)};
+  const record::Course basic = course();
+  const GroupRow row = group_row(person("Ada"), own, &basic, kNow);
+  EXPECT_EQ(row.passed_steps, (QVector<bool>{true, false})) << "one attempt of two in a row";
+  EXPECT_EQ(row.lessons_passed, 1);
+  EXPECT_EQ(row.attempts, 3);
+  EXPECT_EQ(*row.last_score, 60);
+}
+
+TEST(GroupRows, WhoNeedsAttentionComesFirst) {
+  std::vector<record::AttemptRow> stuck;
+  for (const char* utc : {"2026-03-04T10:02:00Z", "2026-03-04T10:01:00Z", "2026-03-04T10:00:00Z"}) stuck.push_back(attempt("grasp", utc, false, 0));
+  QVector<GroupRow> rows = {group_row(person("Bea"), {}, nullptr, kNow), group_row(person("Ada"), {}, nullptr, kNow),
+                            group_row(person("Chen"), stuck, nullptr, kNow)};
+  sort_by_attention(rows);
+  EXPECT_EQ(rows[0].name, "Chen");
+  EXPECT_TRUE(rows[0].flag.contains("3 not passed in a row")) << rows[0].flag.toStdString();
+  EXPECT_EQ(rows[1].name, "Ada");
+  EXPECT_EQ(rows[2].flag, "") << "who has not begun is no alarm";
+  GroupReport report{"Spring", "Basic", {"grasp", "carry"}, rows};
+  report.rows[1].lessons_passed = 2;
+  report.rows[1].last_score = 80, report.rows[2].last_score = 70;
+  EXPECT_EQ(group_words(report), "3 people, of whom 1 need attention. 2 of 6 lessons passed. Median of the last scores: 75.");
+}
+
+class GroupReports : public WindowTest {};
+
+TEST_F(GroupReports, IsOnePageForAClass) {
+  attempts = swage::test::sample_attempts();
+  open();
+  click("page_people");
+  std::vector<std::string> all;
+  for (int i = 0; i < window->people_page()->people()->rowCount(); ++i) all.push_back(window->people_page()->people()->at(i).id);
+  const QString file = dir.filePath("group.pdf");
+  const record::Course basic = course();
+  for (const record::Course* about : {static_cast<const record::Course*>(nullptr), &basic}) {
+    ASSERT_EQ(window->people_page()->files()->write_group_to(file, all, "Everybody", about), QString());
+    QFile written(file);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const QByteArray text = written.readAll();
+    EXPECT_TRUE(text.startsWith("%PDF"));
+    EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
+  }
+  EXPECT_TRUE(window->people_page()->files()->write_group_to(QStringLiteral("/nowhere/g.pdf"), all, "X", nullptr).contains("/nowhere"));
+}
+
+}  // namespace
+}  // namespace swage::console

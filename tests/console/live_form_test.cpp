@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the form shows a parameter: words in place of a number that stands for something else, ranges, lists of choices; and the search.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
+
+#include "console/widgets/live_form.hpp"
+
+namespace swage::console {
+namespace {
+
+LiveParam row(int32_t type, const char* instance, const char* id, const char* label, const char* doc) {
+  LiveParam out{instance, {}, {}};
+  out.param.type = type;
+  out.param.id = id, out.param.label = label, out.param.doc = doc;
+  out.param.unit = "m", out.param.display_unit = "mm";
+  out.param.max = 0.1;
+  return out;
+}
+
+class LiveFormRows : public ::testing::Test {
+ protected:
+  void show(const QVector<LiveParam>& params) {
+    form.set_params(params);
+    form.set_running(true);
+    form.show();
+  }
+  template <class W>
+  W* editor(const char* name) {
+    return form.findChild<W*>(QStringLiteral("live_%1").arg(QLatin1String(name)));
+  }
+  bool visible(const char* name) { return editor<QWidget>(name)->isVisible(); }
+  LiveForm form{nullptr, LiveForm::Of::kVariant};
+};
+
+TEST_F(LiveFormRows, SayInWordsWhatANoughtStandsFor) {
+  LiveParam poisson = row(SWAGE_PARAM_REAL, "thread", "poisson", "Poisson's ratio", "Stiffness against twisting. Below 0: as the suture says.");
+  poisson.param.unit = poisson.param.display_unit = "1";
+  poisson.param.min = -1, poisson.param.max = 0.5, poisson.start[0] = -1;
+  show({row(SWAGE_PARAM_REAL, "needle", "taper", "Taper", "Length of the point. 0: as the model says."),
+        row(SWAGE_PARAM_REAL, "tissue", "gap", "Gap", "Between two edges; 0 for none."),
+        row(SWAGE_PARAM_REAL, "thread", "diameter", "Diameter", "10-0: 20 to 29 um"), poisson});
+  EXPECT_EQ(editor<QDoubleSpinBox>("needle_taper_0")->text(), "as the model says");
+  EXPECT_EQ(editor<QDoubleSpinBox>("tissue_gap_0")->text(), "none");
+  EXPECT_EQ(editor<QDoubleSpinBox>("thread_poisson_0")->text(), "as the suture says");
+  EXPECT_TRUE(editor<QDoubleSpinBox>("thread_diameter_0")->text().endsWith("mm")) << "the size 10-0 is no nought";
+  editor<QDoubleSpinBox>("needle_taper_0")->setValue(2);
+  EXPECT_TRUE(editor<QDoubleSpinBox>("needle_taper_0")->text().startsWith("2")) << "any other number is a number";
+  QSignalSpy changed(&form, &LiveForm::changed);
+  editor<QDoubleSpinBox>("needle_taper_0")->setValue(0);
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][2].toString(), "Taper: as the model says");
+}
+
+TEST_F(LiveFormRows, OnlyARangeGoesFromOneNumberToAnother) {
+  LiveParam region = row(SWAGE_PARAM_VECTOR, "lesson", "region", "Region", "Where to hold it."), size = region;
+  region.param.dimension = 2, region.param.default_number = {0.01, 0.02}, region.start = {0.01, 0.02};
+  size.param = region.param, size.start = region.start;
+  size.param.id = "size", size.param.default_number = {0.012, 0.010};
+  show({region, size});
+  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_region_0")->prefix(), "from ");
+  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_region_1")->prefix(), "to ");
+  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_size_0")->prefix(), "") << "12 mm over x and 10 mm over y";
+}
+
+TEST_F(LiveFormRows, AFractionThatHasTwoNamesIsOneEntry) {
+  LiveParam arc = row(SWAGE_PARAM_CHOICE, "needle", "arc", "Arc", "Share of a circle.");
+  arc.param.choices = {"model", "1/4", "3/8", "1/2", "2/8", "4/8", "straight"};
+  arc.start[0] = 4;
+  show({arc});
+  auto* box = editor<QComboBox>("needle_arc_0");
+  QStringList words;
+  for (int i = 0; i < box->count(); ++i) words += box->itemText(i);
+  EXPECT_EQ(words, (QStringList{"model", "1/4 = 2/8", "3/8", "1/2 = 4/8", "straight"}));
+  EXPECT_EQ(box->currentText(), "1/4 = 2/8") << "the lesson says 2/8";
+  EXPECT_TRUE(form.changes().isEmpty());
+  box->setCurrentIndex(4);
+  ASSERT_EQ(form.changes().size(), 1);
+  EXPECT_EQ(form.changes()[0].second, "\"straight\"");
+  form.preset({{"needle", "arc", {5}}});
+  EXPECT_EQ(box->currentText(), "1/2 = 4/8");
+  EXPECT_EQ(form.changes()[0].second, "\"4/8\"") << "as it was written";
+}
+
+TEST_F(LiveFormRows, FindASectionAndAWordOfAnExplanation) {
+  LiveParam time = row(SWAGE_PARAM_REAL, "lesson", "par_time", "Par time", "Up to here no points are lost.");
+  time.param.group = "Limits";
+  show({time, row(SWAGE_PARAM_REAL, "lesson", "force", "Force", "Of careful hands."), row(SWAGE_PARAM_REAL, "tissue", "thick", "Thickness", "At rest.")});
+  EXPECT_TRUE(form.find("limit"));
+  EXPECT_TRUE(visible("lesson_par_time_0"));
+  EXPECT_FALSE(visible("lesson_force_0"));
+  EXPECT_TRUE(form.find("careful"));
+  EXPECT_TRUE(visible("lesson_force_0"));
+  EXPECT_FALSE(visible("lesson_par_time_0"));
+  EXPECT_TRUE(form.find("tiss"));
+  EXPECT_FALSE(visible("lesson_force_0"));
+  EXPECT_FALSE(form.find("xyz"));
+}
+
+}  // namespace
+}  // namespace swage::console
