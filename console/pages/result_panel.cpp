@@ -232,7 +232,7 @@ void ResultPanel::announce() {
   QAccessible::updateAccessibility(&announce);
 }
 
-void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCard& card, bool kept) {
+void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCard& card, bool kept, bool readings_open) {
   state_ = r.outcome;
   attempt_ = QString::fromStdString(r.attempt_id);
   // a sign beside the word: no verdict by colour alone
@@ -256,6 +256,7 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
                  : r.missing_steps > 0    ? tr("▲ Recorded, but %1 steps are missing.").arg(r.missing_steps)
                  : card.mode == "hand"    ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
                                           : tr("Recorded."));
+  if (readings_open) kept_->setText(kept_->text() + QLatin1Char('\n') + tr("▲ The readings were open on the trainee's screen."));
   show_notes(r);
   announce();
 }

@@ -49,6 +49,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   row->addWidget(make_right());
 
   presenter_ = std::make_unique<AttemptPresenter>(AttemptPresenter::Parts{control_, setup_, &options_, bar_, events_, strip_});
+  instructor_ = new InstructorControl({control_, presenter_.get(), bar_, shown_events_, this});
   presenter_->add_view(view_);
   presenter_->add_panels(now_, legend_, AttemptPresenter::For::kTrainee);
   preview_timer_.setSingleShot(true);
@@ -154,9 +155,9 @@ void RunPage::connect_bars() {
   connect(bar_, &ViewBar::view_chosen, this, &RunPage::look);
   connect(bar_, &ViewBar::cues_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::insets_toggled, presenter_.get(), &AttemptPresenter::update_insets);
-  connect(bar_, &ViewBar::forces_toggled, view_, &SceneView::set_forces_shown);
+  connect(bar_, &ViewBar::forces_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::detail_toggled, shown_events_, &EventFilter::show_technical);
-  connect(bar_, &ViewBar::detail_toggled, view_, &SceneView::set_stress_shown);
+  connect(bar_, &ViewBar::detail_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::instructor_toggled, this, &RunPage::show_instructor);
   connect(actions_, &ActionBar::guide_toggled, presenter_.get(), &AttemptPresenter::toggle_guide);
   connect(fault_, &FaultCard::run_unrecorded, this, &RunPage::start_unrecorded);
@@ -291,6 +292,7 @@ void RunPage::launch(bool unrecorded) {
   const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
   if (kept && !(agree_on_person() && enter_person())) return;
   presenter_->clear();
+  instructor_->begin();
   fault_->clear();
   session::Options o = options_.attempt(display(), presenter_->cue_theme()), like = options_.lesson(display());
   if (unrecorded) o.store_path = ":none:";
@@ -335,7 +337,7 @@ void RunPage::show_finished() {
   if (asked_.show)
     result_->show_seen(r);
   else
-    result_->show_result(r, control_->card(), !r.attempt_id.empty());
+    result_->show_result(r, control_->card(), !r.attempt_id.empty(), instructor_->were_open());
   result_->set_criteria(asked_);
   result_->set_can_go_on(setup_->has_next());
   right_->setCurrentWidget(result_);
@@ -343,20 +345,8 @@ void RunPage::show_finished() {
   Q_EMIT attempt_over();
 }
 
-void RunPage::show_instructor(bool on) {
-  if (on && !instructor_) {
-    instructor_ = new InstructorWindow(shown_events_, this);
-    connect(instructor_, &InstructorWindow::closed, this, [this] { bar_->set_instructor(false); });
-    presenter_->add_panels(instructor_->now(), instructor_->legend(), AttemptPresenter::For::kInstructor);
-  }
-  if (instructor_) instructor_->setVisible(on);
-  tell_subject();
-  bar_->set_instructor(on);
-}
-
 // who does which lesson, and in which mode, in the instructor's window
 void RunPage::tell_subject() {
-  if (!instructor_) return;
   const QString title = lessons_->index(lessons_->row_of(setup_->lesson())).data().toString();
   instructor_->set_subject(QStringList{person_text(setup_->person()), title, mode_text(setup_->mode())}.join(QStringLiteral("  ·  ")));
 }

@@ -23,7 +23,7 @@
 #include "console/pages/attempt_options.hpp"
 #include "console/pages/attempt_presenter.hpp"
 #include "console/pages/fault_card.hpp"
-#include "console/pages/instructor_window.hpp"
+#include "console/pages/instructor_control.hpp"
 #include "console/pages/lesson_editing.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
@@ -92,7 +92,7 @@ class RunPage : public QWidget {
   void edit_lesson() { editing_->edit(); }
   void delete_lesson() { editing_->remove(); }
   /// Readings, cues and events in a window of their own, for a second screen.
-  void show_instructor(bool on);
+  void show_instructor(bool on) { instructor_->show(on); }
 
  public:
   /// The keyboard goes to the instrument while an attempt runs, else to START: never to a field that takes letters.
@@ -100,7 +100,7 @@ class RunPage : public QWidget {
   /// Controls that the person has used before: their hints are not shown again. "drag close drive open"
   void set_used_controls(const QString& used) { presenter_->set_used_controls(used); }
   const QString& used_controls() const { return presenter_->used_controls(); }
-  bool instructor_shown() const { return instructor_ && instructor_->isVisible(); }
+  bool instructor_shown() const { return instructor_->shown(); }
 
  Q_SIGNALS:
   /// An attempt was begun from another page: this one is to be shown.
@@ -152,7 +152,7 @@ class RunPage : public QWidget {
   QStackedWidget* right_ = nullptr;
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;
-  InstructorWindow* instructor_ = nullptr;  // made when it is first shown
+  InstructorControl* instructor_ = nullptr;
   Criteria asked_;                          // of the lesson whose scene is shown
   QString shown_lesson_;                    // that lesson
   QTimer preview_timer_;

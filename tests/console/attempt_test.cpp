@@ -45,6 +45,7 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   ASSERT_TRUE(wait_for_time(6));
   EXPECT_EQ(task_line(), task);
   EXPECT_EQ(words().task, page()->setup()->summary()) << "the trainee's view";
+  in_dialog("readings_in_test", [](QDialog* d) { d->findChildren<QPushButton*>().first()->click(); });  // the only screen is the trainee's
   QTest::keyClick(window.get(), Qt::Key_F10);
   auto* own = window->findChild<console::InstructorWindow*>();
   ASSERT_NE(own, nullptr);
@@ -55,6 +56,43 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   click("start");
   ASSERT_TRUE(wait_for_time(6));
   EXPECT_TRUE(eventually([&] { return task_line() == "Hold it" && words().task == "Hold it"; })) << "in practice it helps";
+}
+
+// On the only screen the readings are shown after a question, and then nobody takes the attempt for a clean test.
+TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
+  script.rate = 20;
+  script.end_s = 30;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  page()->show_instructor(true);
+  EXPECT_TRUE(page()->instructor_shown()) << "nothing runs";
+  child<QAbstractButton>("test")->click();
+  EXPECT_FALSE(child<QPushButton>("forces")->isEnabled());
+  EXPECT_FALSE(child<QPushButton>("detail")->isEnabled());
+  click("start");
+  EXPECT_FALSE(page()->instructor_shown()) << "the trainee would see it";
+  const auto press = [this](int button) {
+    in_dialog("readings_in_test", [button](QDialog* d) {
+      auto* box = qobject_cast<QMessageBox*>(d);
+      for (QAbstractButton* b : box->buttons())
+        if ((box->buttonRole(b) == QMessageBox::AcceptRole) == (button == 1)) return b->click();
+    });
+    QTest::keyClick(window.get(), Qt::Key_F10);
+  };
+  press(0);
+  EXPECT_FALSE(page()->instructor_shown());
+  EXPECT_FALSE(child<QPushButton>("instructor")->isChecked());
+  press(1);
+  EXPECT_TRUE(page()->instructor_shown());
+  EXPECT_TRUE(eventually([&] { return !log->noted.empty(); }));
+  EXPECT_TRUE(log->noted.front().find("readings were open") != std::string::npos);
+  click("stop");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_TRUE(child<QLabel>("kept")->text().contains("readings were open")) << child<QLabel>("kept")->text().toStdString();
+  click("start");
+  click("stop");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_FALSE(child<QLabel>("kept")->text().contains("readings were open")) << "of that attempt alone";
 }
 
 TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {
