@@ -87,7 +87,7 @@ QList<QPushButton*> ResultPanel::add_buttons(const Card& card) {
   auto* progress = make(tr("Progress"), "Ctrl+P", "to_progress");
   again->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Again"), key_text(QStringLiteral("F5"))));  // a key of the window
   give_key(review_, QStringLiteral("Ctrl+R"));
-  give_key(next_, QStringLiteral("Ctrl+Right"));
+  next_->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Next lesson"), key_text(QStringLiteral("Ctrl+Right"))));  // a key of the page
   give_key(progress, QStringLiteral("Ctrl+P"));
   connect(again, &QPushButton::clicked, this, &ResultPanel::again);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });

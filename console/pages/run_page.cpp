@@ -59,7 +59,14 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   connect_editing();
   connect_control();
   connect_bars();
+  add_keys();
   update_state();
+}
+
+// Ctrl+Right also works again and again while nothing runs; during an attempt it belongs to the picture.
+void RunPage::add_keys() {
+  next_ = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Right), this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+  connect(next_, &QShortcut::activated, setup_, &SetupPanel::select_next);
 }
 
 QWidget* RunPage::make_middle() {
@@ -264,8 +271,9 @@ bool RunPage::agree_on_person() {
   const QString name = setup_->person();
   QMessageBox ask(QMessageBox::NoIcon, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
   ask.setObjectName(QStringLiteral("new_trainee"));
-  const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
-  ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));
+  QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
+  ask.addButton(QMessageBox::Cancel);
+  ask.setDefaultButton(add);
   ask.exec();
   if (ask.clickedButton() != add) {
     setup_->focus_person();
@@ -316,6 +324,7 @@ void RunPage::forget_attempt() {
 void RunPage::update_state() {
   const bool running = control_->running(), paused = control_->state() == RunControl::State::kPaused;
   setup_->set_running(running, paused);
+  next_->setEnabled(!running);
   actions_->set_running(running, paused);
   if (running) right_->setCurrentWidget(now_);
   if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));

@@ -6,6 +6,7 @@
 // (FaultCard), an instructor's own lessons (LessonEditing).
 #pragma once
 
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QTimer>
@@ -120,6 +121,7 @@ class RunPage : public QWidget {
   void connect_editing();
   void connect_control();
   void connect_bars();
+  void add_keys();
   void fold_bar();
   void preview();
   void show_card(const snapshot::SceneCard& card);
@@ -153,6 +155,7 @@ class RunPage : public QWidget {
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;
   InstructorControl* instructor_ = nullptr;
+  QShortcut* next_ = nullptr;
   Criteria asked_;                          // of the lesson whose scene is shown
   QString shown_lesson_;                    // that lesson
   QTimer preview_timer_;

@@ -2007,8 +2007,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Mittlere Taste,  Leertaste</translation>
     </message>
     <message>
-        <source>Close the jaws to a good grip; again: further</source>
-        <translation>Die Backen zu einem guten Griff schließen; noch einmal: weiter</translation>
+        <source>Hold: close the jaws to a good grip; again: further</source>
+        <translation>Halten: die Backen zu einem guten Griff schließen; noch einmal: weiter</translation>
     </message>
     <message>
         <source>Ctrl+middle,  B</source>

@@ -33,9 +33,9 @@ class Overlay {
   void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);
   /// A ring that fills clockwise during a hold, by `share`.
   void ring(const QPointF& at, double share, double radius_px = 17);
-  /// The circle of a target.
+  /// The circle of a target; dashed where something is to come out.
   void target(const QPointF& at, double radius_px, const CueStyle& style);
-  /// The sign and the text of a target, below its circle.
+  /// The sign and the text of a target, beside its circle with a short line to it, where they cover nothing that is kept clear.
   void target_word(const QPointF& at, double radius_px, const CueStyle& style);
   /// Marks the active tool, of several: a triangle below its tips, and its name.
   void led(const QPointF& at, const QString& name);
@@ -56,6 +56,8 @@ class Overlay {
   void message(const QString& text);
 
  private:
+  QSizeF size_of(const QString& text, const QFont& font, double extra_left) const;
+  QRectF beside(const QPointF& at, double radius_px, const QString& text, double extra_left);
   QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);
   void paint_label(const QRectF& at, double round_px);
   void several(const QStringList& lines, const QFont& font, double most_px);
