@@ -2311,7 +2311,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>The trainee sees this screen. If the readings are shown, the attempt and its result tell that they were open.</source>
-        <translation>Diesen Bildschirm sieht die übende Person. Werden die Anzeigen gezeigt, sagen Versuch und Ergebnis, dass sie offen waren.</translation>
+        <translation>Diesen Bildschirm sieht der Trainee. Werden die Anzeigen gezeigt, sagen Versuch und Ergebnis, dass sie offen waren.</translation>
     </message>
     <message>
         <source>Show them</source>
@@ -2319,7 +2319,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>The readings were open on the trainee&apos;s screen.</source>
-        <translation>Die Anzeigen waren auf dem Bildschirm der übenden Person offen.</translation>
+        <translation>Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
     </message>
 </context>
 <context>
@@ -3694,7 +3694,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>▲ The readings were open on the trainee&apos;s screen.</source>
-        <translation>▲ Die Anzeigen waren auf dem Bildschirm der übenden Person offen.</translation>
+        <translation>▲ Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
     </message>
 </context>
 <context>
@@ -5374,7 +5374,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Readings, cues and events in a window of their own (F10); in a test on a screen that the trainee does not see</source>
-        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den die übende Person nicht sieht</translation>
+        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den der Trainee nicht sieht</translation>
     </message>
 </context>
 <context>
