@@ -118,7 +118,7 @@ void Overlay::pill(const QPointF& centre, const QString& text, const QFont& font
 }
 
 void Overlay::scale_bar(double mm_per_pixel, double left) {
-  const double mm = nice_scale_mm(mm_per_pixel, 0.22 * area_.width()), px = mm / mm_per_pixel;
+  const double mm = nice_scale_mm(mm_per_pixel, kScaleShare * area_.width()), px = mm / mm_per_pixel;
   const double x = area_.left() + left + 18, y = area_.bottom() - 18;
   p_.setRenderHint(QPainter::Antialiasing);
   for (const auto& [colour, width] : {std::pair{ui_["view_bottom"], 4.5}, {ui_["view_text"], 2.0}}) {

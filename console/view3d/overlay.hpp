@@ -26,6 +26,8 @@ inline constexpr double kLeastMark_px = 9;
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
+  /// Longest scale bar over the width of the picture.
+  static constexpr double kScaleShare = 0.22;
   /// `left`: px that are covered at the left of the picture.
   void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
