@@ -5183,6 +5183,14 @@ Alle 2 s wird es wieder versucht.</translation>
         <source>What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. Without a graphics card pictures come less often</source>
         <translation>Was vor und hinter der scharfen Ebene liegt, ist unscharf; in der Ansicht verschieben Strg+Umschalt+Bild auf und ab diese Ebene. Ohne Grafikkarte kommen Bilder seltener</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Every change is kept at once (Esc)</source>
+        <translation>Jede Änderung gilt sofort (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::TraineeWindow</name>
