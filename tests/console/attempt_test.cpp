@@ -25,6 +25,15 @@ class AttemptOnPage : public WindowTest {
  protected:
   QString task_line() { return window->findChild<console::NowPanel*>()->findChild<QLabel*>(QStringLiteral("task_line"))->text(); }
   const console::ViewWords& words() { return page()->view()->words(); }
+  /// F10 during a test on the only screen, which is the trainee's; `agree`: what is answered to the question.
+  void ask_for_readings(bool agree) {
+    in_dialog("readings_in_test", [agree](QDialog* d) {
+      auto* box = qobject_cast<QMessageBox*>(d);
+      for (QAbstractButton* b : box->buttons())
+        if ((box->buttonRole(b) == QMessageBox::AcceptRole) == agree) return b->click();
+    });
+    QTest::keyClick(window.get(), Qt::Key_F10);
+  }
   void choose_lesson(int row) {
     auto* lessons = child<QListView>("lessons");
     lessons->setCurrentIndex(lessons->model()->index(row, 0));
@@ -45,8 +54,7 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   ASSERT_TRUE(wait_for_time(6));
   EXPECT_EQ(task_line(), task);
   EXPECT_EQ(words().task, page()->setup()->summary()) << "the trainee's view";
-  in_dialog("readings_in_test", [](QDialog* d) { d->findChildren<QPushButton*>().first()->click(); });  // the only screen is the trainee's
-  QTest::keyClick(window.get(), Qt::Key_F10);
+  ask_for_readings(true);
   auto* own = window->findChild<console::InstructorWindow*>();
   ASSERT_NE(own, nullptr);
   EXPECT_TRUE(eventually([&] { return own->now()->findChild<QLabel*>(QStringLiteral("task_line"))->text() == "Hold it"; }));
@@ -61,7 +69,7 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
 // On the only screen the readings are shown after a question, and then nobody takes the attempt for a clean test.
 TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
   script.rate = 20;
-  script.end_s = 30;
+  script.end_s = 0;
   open();
   ASSERT_TRUE(wait_for_preview());
   page()->show_instructor(true);
@@ -71,18 +79,10 @@ TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
   EXPECT_FALSE(child<QPushButton>("detail")->isEnabled());
   click("start");
   EXPECT_FALSE(page()->instructor_shown()) << "the trainee would see it";
-  const auto press = [this](int button) {
-    in_dialog("readings_in_test", [button](QDialog* d) {
-      auto* box = qobject_cast<QMessageBox*>(d);
-      for (QAbstractButton* b : box->buttons())
-        if ((box->buttonRole(b) == QMessageBox::AcceptRole) == (button == 1)) return b->click();
-    });
-    QTest::keyClick(window.get(), Qt::Key_F10);
-  };
-  press(0);
+  ask_for_readings(false);
   EXPECT_FALSE(page()->instructor_shown());
   EXPECT_FALSE(child<QPushButton>("instructor")->isChecked());
-  press(1);
+  ask_for_readings(true);
   EXPECT_TRUE(page()->instructor_shown());
   EXPECT_TRUE(eventually([&] { return !log->noted.empty(); }));
   EXPECT_TRUE(log->noted.front().find("readings were open") != std::string::npos);
