@@ -5,7 +5,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
-#include <algorithm>
+#include <utility>
 
 namespace swage::console {
 
