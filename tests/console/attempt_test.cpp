@@ -25,15 +25,6 @@ class AttemptOnPage : public WindowTest {
  protected:
   QString task_line() { return window->findChild<console::NowPanel*>()->findChild<QLabel*>(QStringLiteral("task_line"))->text(); }
   const console::ViewWords& words() { return page()->view()->words(); }
-  /// F10 during a test on the only screen, which is the trainee's; `agree`: what is answered to the question.
-  void ask_for_readings(bool agree) {
-    in_dialog("readings_in_test", [agree](QDialog* d) {
-      auto* box = qobject_cast<QMessageBox*>(d);
-      for (QAbstractButton* b : box->buttons())
-        if ((box->buttonRole(b) == QMessageBox::AcceptRole) == agree) return b->click();
-    });
-    QTest::keyClick(window.get(), Qt::Key_F10);
-  }
   void choose_lesson(int row) {
     auto* lessons = child<QListView>("lessons");
     lessons->setCurrentIndex(lessons->model()->index(row, 0));
