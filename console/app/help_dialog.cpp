@@ -106,7 +106,7 @@ Card HelpDialog::instrument_keys(QWidget* parent) {
                      {tr("Right drag,  arrows"), tr("Turn")},
                      {tr("Ctrl+right drag,  Z X"), tr("Roll")},
                      {tr("C+left drag,  T G"), tr("Drive the needle along its own curve")},
-                     {tr("Middle button,  Space"), tr("Close the jaws to a good grip; again: further")},
+                     {tr("Middle button,  Space"), tr("Hold: close the jaws to a good grip; again: further")},
                      {tr("Ctrl+middle,  B"), tr("Open the jaws")},
                      {tr("Ctrl+wheel"), tr("Close, open in small steps")},
                      {tr("Shift"), tr("Everything finer")},

@@ -151,7 +151,13 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   add_screen(form, look);
   toggle_ = make_button({}, {}, QStringLiteral("trainee_toggle"), this);
   toggle_->setDefault(true);
-  form->addRow(toggle_);
+  auto* close = make_button(tr("Close"), {}, QStringLiteral("trainee_settings_close"), this);
+  close->setToolTip(tr("Every change is kept at once (Esc)"));
+  connect(close, &QPushButton::clicked, this, &QDialog::accept);
+  auto* row = new QHBoxLayout;
+  row->addWidget(toggle_, 1);
+  row->addWidget(close);
+  form->addRow(row);
   set_open(false);
   for (QComboBox* box : {layout_, mirror_, screen_})
     connect(box, &QComboBox::currentIndexChanged, this, &TraineeSettings::changed);

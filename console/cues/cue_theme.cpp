@@ -40,6 +40,9 @@ QPainterPath sign_path(QChar sign, const QRectF& r) {
     case 'v':
       path.addPolygon(QPolygonF({r.topLeft(), r.topRight(), {r.center().x(), r.bottom()}, r.topLeft()}));
       break;
+    case '^':
+      path.addPolygon(QPolygonF({r.bottomLeft(), r.bottomRight(), {r.center().x(), r.top()}, r.bottomLeft()}));
+      break;
     case '+':
       path.moveTo(r.center().x(), r.top());
       path.lineTo(r.center().x(), r.bottom());

@@ -22,7 +22,7 @@ struct CueForce {
   double frequency_Hz = 0, peak_N = 0, length_s = 0;  // of one pulse; the pause between two is as long
 };
 
-/// The style of one meaning. `shape` is a row of signs: O o filled and hollow circle, V v triangle, D d
+/// The style of one meaning. `shape` is a row of signs: O o filled and hollow circle, V v ^ triangle, D d
 /// diamond, N ring crossed through, H marked stretch, + x crosses, * tick, ! warning, ~ bend, - dash. `sound` is a name of tones.hpp or "".
 struct CueStyle {
   QColor colour;

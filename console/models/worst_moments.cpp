@@ -96,8 +96,10 @@ QVector<WorstMoment> worst_moments(const Review& review, const record::Recording
     const std::optional<double> most = target ? target(m.id).high : std::nullopt;
     const double share = most && *most > 0 ? m.value / *most : 0.5;
     const QString unit = metric_unit(QString::fromStdString(m.id), QString::fromStdString(m.unit));
-    const QString what = most ? QObject::tr("%1 %2, at most %3 is asked").arg(line.name, line.value, quantity_text(*most, unit))
-                              : QObject::tr("%1 %2").arg(line.name, line.value);
+    const QString asked = most ? quantity_text(*most, unit) : QString();
+    const QString what = !most        ? QObject::tr("%1 %2").arg(line.name, line.value)
+                         : share > 1 ? QObject::tr("%1 %2, at most %3 is asked").arg(line.name, line.value, asked)
+                                      : QObject::tr("%1 %2, within what is asked (%3)").arg(line.name, line.value, asked);
     out += {peak.time_s, what, line.doc, share > 1 ? kOverLimit + share : share};
   }
   std::stable_sort(out.begin(), out.end(), [](const WorstMoment& a, const WorstMoment& b) { return a.weight > b.weight; });

@@ -23,10 +23,16 @@ QString AttemptAdvice::words(bool by_mouse) const {
                   : tr("Held at the wrong place: open the jaws, and take it at the mark.");
 }
 
+void AttemptAdvice::use(const QString& control) {
+  used_ += QLatin1Char(' ') + control;
+  if (control == QLatin1String("close")) closed_ = true;
+  if (control == QLatin1String("open")) closed_ = false;
+}
+
 ControlHints AttemptAdvice::hints(bool test, bool drives) const {
   const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
-  // jaws stay closed when the key is released: who has closed them is told how to open them
-  const bool open = used_.contains(QLatin1String("close")) || (!test && misplaced_);
+  // jaws stay closed when the key is released: who has closed them on nothing is told how to open them
+  const bool open = (closed_ && !holds_) || (!test && misplaced_);
   return {wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), open && wanted("open"), !test && dropped_};
 }
 

@@ -18,7 +18,7 @@ class AttemptAdvice {
   Q_DECLARE_TR_FUNCTIONS(AttemptAdvice)
  public:
   /// To be called before an attempt: nothing is held or dropped. Used controls are kept.
-  void reset() { holds_ = misplaced_ = dropped_ = false; }
+  void reset() { closed_ = holds_ = misplaced_ = dropped_ = false; }
   /// An event of the attempt, by its id. A dropped object is advised on until it is held or reset; a slipping thread is not.
   void hear(const std::string& event_id, uint64_t step);
   /// Updates from a snapshot, which may be older than the events heard. Returns whether the held object, or its grasp, has changed.
@@ -28,13 +28,14 @@ class AttemptAdvice {
 
   /// Controls that the person has used, in this attempt or an earlier one: "drag close drive open". Their hints are not shown again.
   void set_used(const QString& used) { used_ = used; }
-  void use(const QString& control) { used_ += QLatin1Char(' ') + control; }
+  void use(const QString& control);
   const QString& used() const { return used_; }
   /// The hints needed now. `test`: without those that reveal an answer; `drives`: an object can be pierced.
   ControlHints hints(bool test, bool drives) const;
 
  private:
   QString used_;
+  bool closed_ = false;                                       // the person has closed the jaws in this attempt, and not opened them
   bool holds_ = false, misplaced_ = false, dropped_ = false;  // the jaws hold an object; at the wrong place; an object was dropped
   uint64_t dropped_at_ = 0;                                   // step of the drop
 };

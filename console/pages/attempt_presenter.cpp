@@ -129,9 +129,13 @@ void AttemptPresenter::end(double simulated_s, const QString& banner) {
   set_texts(clock_text(simulated_s), banner);
 }
 
-record::Display AttemptPresenter::display() const {
+const SceneView* AttemptPresenter::trainees_view() const {
   const auto open = std::find_if(views_.rbegin(), views_.rend(), [](const SceneView* v) { return v->isVisible(); });
-  record::Display out = (open != views_.rend() ? *open : views_.first())->display();
+  return open != views_.rend() ? *open : views_.first();
+}
+
+record::Display AttemptPresenter::display() const {
+  record::Display out = trainees_view()->display();
   out.guided = guide_.guides();
   return out;
 }
@@ -187,6 +191,8 @@ void AttemptPresenter::update_cues() {
   parts_.bar->set_cues_allowed(!is_test());
   const bool shown = !is_test() && parts_.bar->cues_on();
   for (SceneView* view : views_) view->set_cues_shown(shown);
+  views_.first()->set_forces_shown(!is_test() && parts_.bar->forces_on());
+  views_.first()->set_stress_shown(!is_test() && parts_.bar->detail_on());
   for (const Panels& p : panels_)
     if (p.reader == For::kTrainee) p.legend->set_in_picture(shown);
   update_hidden();

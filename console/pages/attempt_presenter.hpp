@@ -79,6 +79,8 @@ class AttemptPresenter : public QObject {
 
   /// How the trainee sees the scene: in the open view that was added last, else in the first.
   record::Display display() const;
+  /// The picture that the trainee looks at: the open one that was added last, else the first.
+  const SceneView* trainees_view() const;
   bool is_test() const { return parts_.setup->mode() == QLatin1String("test"); }
   GuideControl& guide() { return guide_; }
   const GuideControl& guide() const { return guide_; }

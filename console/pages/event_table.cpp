@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "console/models/event_log.hpp"
 
@@ -15,34 +16,44 @@ constexpr int kLine_px = 22, kTwoLines_px = 36;
 constexpr double kSmall = 0.86;   // size of the meaning, of the usual size
 constexpr double kMuted = 0.72;   // opacity of the meaning's text
 
-/// Draws an event with its meaning on a second line.
-class TwoLines : public QStyledItemDelegate {
+/// Draws an event and below it, smaller, its meaning, each in as many lines as it needs.
+class TwoTexts : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    return {QStyledItemDelegate::sizeHint(option, index).width(), meaning(index).isEmpty() ? kLine_px : kTwoLines_px};
+    const QSize usual = QStyledItemDelegate::sizeHint(option, index);
+    const int wide = option.rect.width() - 2 * kBeside_px;
+    if (wide < kLeastWide_px) return {usual.width(), meaning(index).isEmpty() ? kLine_px : kTwoLines_px};  // not laid out yet
+    const int high = height(option.font, index.data().toString(), wide) + height(small(option.font), meaning(index), wide);
+    return {usual.width(), std::max(kLine_px, high + 2 * kAbove_px)};
   }
 
   void paint(QPainter* p, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const QString means = meaning(index);
-    if (means.isEmpty()) return QStyledItemDelegate::paint(p, option, index);
     p->save();
-    const QRect line = option.rect.adjusted(3, 2, -3, -option.rect.height() / 2 + 1), below = option.rect.adjusted(3, line.height() + 1, -3, -1);
+    QRect box = option.rect.adjusted(kBeside_px, kAbove_px, -kBeside_px, -kAbove_px);
+    const QString what = index.data().toString();
+    p->setFont(option.font);
     p->setPen(option.palette.color(QPalette::Text));
-    draw(p, option.font, line, index.data().toString());
-    QFont small = option.font;
-    small.setPointSizeF(small.pointSizeF() * kSmall);
+    p->drawText(box, kWrapped, what);
+    box.setTop(box.top() + height(option.font, what, box.width()));
+    p->setFont(small(option.font));
     p->setOpacity(kMuted);
-    draw(p, small, below, means);
+    p->drawText(box, kWrapped, meaning(index));
     p->restore();
   }
 
  private:
+  static constexpr int kBeside_px = 3, kAbove_px = 2, kLeastWide_px = 40;
+  static constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
   static QString meaning(const QModelIndex& index) { return index.siblingAtColumn(EventLog::kMeans).data().toString(); }
-  static void draw(QPainter* p, const QFont& font, const QRect& box, const QString& words) {
-    p->setFont(font);
-    p->drawText(box, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(font).elidedText(words, Qt::ElideRight, box.width()));
+  static QFont small(QFont font) {
+    font.setPointSizeF(font.pointSizeF() * kSmall);
+    return font;
+  }
+  static int height(const QFont& font, const QString& words, int wide) {
+    return words.isEmpty() ? 0 : QFontMetrics(font).boundingRect(QRect(0, 0, wide, 1 << 14), kWrapped, words).height();
   }
 };
 
@@ -55,6 +66,7 @@ class EventTable : public QTableView {
   void resizeEvent(QResizeEvent* event) override {
     setColumnHidden(EventLog::kTime, width() < kLeastWithTime_px);
     QTableView::resizeEvent(event);
+    resizeRowsToContents();  // the lines of a sentence follow the width
   }
 };
 
@@ -68,7 +80,7 @@ QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
   table->setShowGrid(false);
   table->setTabKeyNavigation(false);
   table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setItemDelegateForColumn(EventLog::kWhat, new TwoLines(table));
+  table->setItemDelegateForColumn(EventLog::kWhat, new TwoTexts(table));
   table->hideColumn(EventLog::kMeans);
   table->verticalHeader()->hide();
   table->verticalHeader()->setMinimumSectionSize(kLine_px);

@@ -38,8 +38,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   criteria_->setWordWrap(true);
   criteria_->setTextFormat(Qt::RichText);
   now.body->addWidget(criteria_);
-  hidden_ = make_muted(tr("A test: readings are hidden until it is over. The instructor's window (F10) shows them."),
-                       now.frame);
+  hidden_ = make_muted(tr("A test: readings are hidden until it is over."), now.frame);
   now.body->addWidget(hidden_);
   readings_ = make_readings(now.frame);
   now.body->addWidget(readings_);

@@ -87,7 +87,7 @@ QList<QPushButton*> ResultPanel::add_buttons(const Card& card) {
   auto* progress = make(tr("Progress"), "Ctrl+P", "to_progress");
   again->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Again"), key_text(QStringLiteral("F5"))));  // a key of the window
   give_key(review_, QStringLiteral("Ctrl+R"));
-  give_key(next_, QStringLiteral("Ctrl+Right"));
+  next_->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Next lesson"), key_text(QStringLiteral("Ctrl+Right"))));  // a key of the page
   give_key(progress, QStringLiteral("Ctrl+P"));
   connect(again, &QPushButton::clicked, this, &ResultPanel::again);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
@@ -232,7 +232,7 @@ void ResultPanel::announce() {
   QAccessible::updateAccessibility(&announce);
 }
 
-void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCard& card, bool kept) {
+void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCard& card, bool kept, bool readings_open) {
   state_ = r.outcome;
   attempt_ = QString::fromStdString(r.attempt_id);
   // a sign beside the word: no verdict by colour alone
@@ -256,6 +256,7 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
                  : r.missing_steps > 0    ? tr("▲ Recorded, but %1 steps are missing.").arg(r.missing_steps)
                  : card.mode == "hand"    ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
                                           : tr("Recorded."));
+  if (readings_open) kept_->setText(kept_->text() + QLatin1Char('\n') + tr("▲ The readings were open on the trainee's screen."));
   show_notes(r);
   announce();
 }

@@ -20,7 +20,8 @@ class ResultPanel : public QWidget {
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme);
-  void show_result(const session::Result& result, const snapshot::SceneCard& card, bool kept);
+  /// `readings_open`: the trainee's screen showed the readings of this test.
+  void show_result(const session::Result& result, const snapshot::SceneCard& card, bool kept, bool readings_open = false);
   /// The end of a demonstration: nothing was judged.
   void show_seen(const session::Result& result);
   /// Active time that costs no points, s; 0 where the lesson says none. For the next result.

@@ -49,6 +49,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   row->addWidget(make_right());
 
   presenter_ = std::make_unique<AttemptPresenter>(AttemptPresenter::Parts{control_, setup_, &options_, bar_, events_, strip_});
+  instructor_ = new InstructorControl({control_, presenter_.get(), bar_, shown_events_, this});
   presenter_->add_view(view_);
   presenter_->add_panels(now_, legend_, AttemptPresenter::For::kTrainee);
   preview_timer_.setSingleShot(true);
@@ -58,7 +59,14 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   connect_editing();
   connect_control();
   connect_bars();
+  add_keys();
   update_state();
+}
+
+// Ctrl+Right also works again and again while nothing runs; during an attempt it belongs to the picture.
+void RunPage::add_keys() {
+  next_ = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Right), this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+  connect(next_, &QShortcut::activated, setup_, &SetupPanel::select_next);
 }
 
 QWidget* RunPage::make_middle() {
@@ -154,9 +162,9 @@ void RunPage::connect_bars() {
   connect(bar_, &ViewBar::view_chosen, this, &RunPage::look);
   connect(bar_, &ViewBar::cues_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::insets_toggled, presenter_.get(), &AttemptPresenter::update_insets);
-  connect(bar_, &ViewBar::forces_toggled, view_, &SceneView::set_forces_shown);
+  connect(bar_, &ViewBar::forces_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::detail_toggled, shown_events_, &EventFilter::show_technical);
-  connect(bar_, &ViewBar::detail_toggled, view_, &SceneView::set_stress_shown);
+  connect(bar_, &ViewBar::detail_toggled, this, &RunPage::update_cues);
   connect(bar_, &ViewBar::instructor_toggled, this, &RunPage::show_instructor);
   connect(actions_, &ActionBar::guide_toggled, presenter_.get(), &AttemptPresenter::toggle_guide);
   connect(fault_, &FaultCard::run_unrecorded, this, &RunPage::start_unrecorded);
@@ -263,8 +271,9 @@ bool RunPage::agree_on_person() {
   const QString name = setup_->person();
   QMessageBox ask(QMessageBox::NoIcon, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
   ask.setObjectName(QStringLiteral("new_trainee"));
-  const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
-  ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));
+  QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
+  ask.addButton(QMessageBox::Cancel);
+  ask.setDefaultButton(add);
   ask.exec();
   if (ask.clickedButton() != add) {
     setup_->focus_person();
@@ -291,6 +300,7 @@ void RunPage::launch(bool unrecorded) {
   const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
   if (kept && !(agree_on_person() && enter_person())) return;
   presenter_->clear();
+  instructor_->begin();
   fault_->clear();
   session::Options o = options_.attempt(display(), presenter_->cue_theme()), like = options_.lesson(display());
   if (unrecorded) o.store_path = ":none:";
@@ -314,6 +324,7 @@ void RunPage::forget_attempt() {
 void RunPage::update_state() {
   const bool running = control_->running(), paused = control_->state() == RunControl::State::kPaused;
   setup_->set_running(running, paused);
+  next_->setEnabled(!running);
   actions_->set_running(running, paused);
   if (running) right_->setCurrentWidget(now_);
   if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));
@@ -335,7 +346,7 @@ void RunPage::show_finished() {
   if (asked_.show)
     result_->show_seen(r);
   else
-    result_->show_result(r, control_->card(), !r.attempt_id.empty());
+    result_->show_result(r, control_->card(), !r.attempt_id.empty(), instructor_->were_open());
   result_->set_criteria(asked_);
   result_->set_can_go_on(setup_->has_next());
   right_->setCurrentWidget(result_);
@@ -343,20 +354,8 @@ void RunPage::show_finished() {
   Q_EMIT attempt_over();
 }
 
-void RunPage::show_instructor(bool on) {
-  if (on && !instructor_) {
-    instructor_ = new InstructorWindow(shown_events_, this);
-    connect(instructor_, &InstructorWindow::closed, this, [this] { bar_->set_instructor(false); });
-    presenter_->add_panels(instructor_->now(), instructor_->legend(), AttemptPresenter::For::kInstructor);
-  }
-  if (instructor_) instructor_->setVisible(on);
-  tell_subject();
-  bar_->set_instructor(on);
-}
-
 // who does which lesson, and in which mode, in the instructor's window
 void RunPage::tell_subject() {
-  if (!instructor_) return;
   const QString title = lessons_->index(lessons_->row_of(setup_->lesson())).data().toString();
   instructor_->set_subject(QStringList{person_text(setup_->person()), title, mode_text(setup_->mode())}.join(QStringLiteral("  ·  ")));
 }

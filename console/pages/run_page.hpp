@@ -6,6 +6,7 @@
 // (FaultCard), an instructor's own lessons (LessonEditing).
 #pragma once
 
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QTimer>
@@ -23,7 +24,7 @@
 #include "console/pages/attempt_options.hpp"
 #include "console/pages/attempt_presenter.hpp"
 #include "console/pages/fault_card.hpp"
-#include "console/pages/instructor_window.hpp"
+#include "console/pages/instructor_control.hpp"
 #include "console/pages/lesson_editing.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
@@ -92,7 +93,7 @@ class RunPage : public QWidget {
   void edit_lesson() { editing_->edit(); }
   void delete_lesson() { editing_->remove(); }
   /// Readings, cues and events in a window of their own, for a second screen.
-  void show_instructor(bool on);
+  void show_instructor(bool on) { instructor_->show(on); }
 
  public:
   /// The keyboard goes to the instrument while an attempt runs, else to START: never to a field that takes letters.
@@ -100,7 +101,7 @@ class RunPage : public QWidget {
   /// Controls that the person has used before: their hints are not shown again. "drag close drive open"
   void set_used_controls(const QString& used) { presenter_->set_used_controls(used); }
   const QString& used_controls() const { return presenter_->used_controls(); }
-  bool instructor_shown() const { return instructor_ && instructor_->isVisible(); }
+  bool instructor_shown() const { return instructor_->shown(); }
 
  Q_SIGNALS:
   /// An attempt was begun from another page: this one is to be shown.
@@ -120,6 +121,7 @@ class RunPage : public QWidget {
   void connect_editing();
   void connect_control();
   void connect_bars();
+  void add_keys();
   void fold_bar();
   void preview();
   void show_card(const snapshot::SceneCard& card);
@@ -152,7 +154,8 @@ class RunPage : public QWidget {
   QStackedWidget* right_ = nullptr;
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;
-  InstructorWindow* instructor_ = nullptr;  // made when it is first shown
+  InstructorControl* instructor_ = nullptr;
+  QShortcut* next_ = nullptr;
   Criteria asked_;                          // of the lesson whose scene is shown
   QString shown_lesson_;                    // that lesson
   QTimer preview_timer_;

@@ -57,7 +57,10 @@ QWidget* SetupPanel::make_who() {
   card.body->addWidget(person_);
   connect(person_, &QComboBox::currentTextChanged, this, &SetupPanel::person_chosen);
   // after the choice of a name the focus leaves the field, as the keys that move the instrument are letters
-  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start, Qt::QueuedConnection);  // queued: this Enter does not press START
+  const auto leave = [this] {
+    if (person_->hasFocus()) focus_start();  // Tab also chooses the name, and goes where it goes
+  };
+  connect(person_, &QComboBox::activated, this, leave, Qt::QueuedConnection);  // queued: this Enter does not press START
   connect(person_->lineEdit(), &QLineEdit::returnPressed, this, &SetupPanel::focus_start, Qt::QueuedConnection);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));

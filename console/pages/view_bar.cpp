@@ -72,16 +72,20 @@ void ViewBar::add_toggles() {
                           "wound magnified while there is one"),
                        true);
   connect(insets_, &QPushButton::toggled, this, &ViewBar::insets_toggled);
-  const QPushButton* forces = add_toggle(tr("Forces"), "forces", tr("Show contact forces in the picture"), false);
-  connect(forces, &QPushButton::toggled, this, &ViewBar::forces_toggled);
-  const QPushButton* detail =
+  forces_ = add_toggle(tr("Forces"), "forces", tr("Show contact forces in the picture"), false);
+  connect(forces_, &QPushButton::toggled, this, &ViewBar::forces_toggled);
+  detail_ =
       add_toggle(tr("Detail"), "detail",
                  tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"), false);
-  connect(detail, &QPushButton::toggled, this, &ViewBar::detail_toggled);
+  connect(detail_, &QPushButton::toggled, this, &ViewBar::detail_toggled);
   row_->addSpacing(kBarGap_px);
   instructor_ = add_toggle(tr("Instructor"), "instructor",
-                           tr("Readings, cues and events in a window of their own, also in a test (F10)"), false);
+                           tr("Readings, cues and events in a window of their own (F10); in a test on a screen that the trainee does not see"), false);
   connect(instructor_, &QPushButton::toggled, this, &ViewBar::instructor_toggled);
+}
+
+void ViewBar::set_cues_allowed(bool allowed) {
+  for (QPushButton* b : {cues_, forces_, detail_}) b->setEnabled(allowed);
 }
 
 void ViewBar::add_menu() {

@@ -24,8 +24,10 @@ class ViewBar : public QWidget {
   /// `room`: px for title, buttons and sound together.
   void fold_to(int room);
   bool cues_on() const { return cues_->isChecked(); }
-  /// False in a test.
-  void set_cues_allowed(bool allowed) { cues_->setEnabled(allowed); }
+  /// False in a test: neither cues nor forces nor details, which are answers as well.
+  void set_cues_allowed(bool allowed);
+  bool forces_on() const { return forces_->isChecked(); }
+  bool detail_on() const { return detail_->isChecked(); }
   bool insets_on() const { return insets_->isChecked(); }
   /// Sets the button of the instructor's window; emits instructor_toggled on a change.
   void set_instructor(bool shown) { instructor_->setChecked(shown); }
@@ -54,7 +56,7 @@ class ViewBar : public QWidget {
   QHBoxLayout* row_;
   QLabel* title_ = nullptr;
   QList<QPushButton*> folding_;  // buttons that move into the menu on a narrow page
-  QPushButton *cues_ = nullptr, *insets_ = nullptr, *instructor_ = nullptr, *menu_ = nullptr;
+  QPushButton *cues_ = nullptr, *insets_ = nullptr, *forces_ = nullptr, *detail_ = nullptr, *instructor_ = nullptr, *menu_ = nullptr;
   SoundControl* sound_ = nullptr;
 };
 

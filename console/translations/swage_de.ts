@@ -171,6 +171,10 @@
         <translation>%1 %2, gefordert ist höchstens %3</translation>
     </message>
     <message>
+        <source>%1 %2, within what is asked (%3)</source>
+        <translation>%1 %2, im Rahmen des Geforderten (%3)</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -2007,8 +2011,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Mittlere Taste,  Leertaste</translation>
     </message>
     <message>
-        <source>Close the jaws to a good grip; again: further</source>
-        <translation>Die Backen zu einem guten Griff schließen; noch einmal: weiter</translation>
+        <source>Hold: close the jaws to a good grip; again: further</source>
+        <translation>Halten: die Backen zu einem guten Griff schließen; noch einmal: weiter</translation>
     </message>
     <message>
         <source>Ctrl+middle,  B</source>
@@ -2297,6 +2301,25 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Instructor&apos;s handbook</source>
         <translation>Handbuch für Lehrende</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::InstructorControl</name>
+    <message>
+        <source>Readings in a test</source>
+        <translation>Anzeigen im Test</translation>
+    </message>
+    <message>
+        <source>The trainee sees this screen. If the readings are shown, the attempt and its result tell that they were open.</source>
+        <translation>Diesen Bildschirm sieht der Trainee. Werden die Anzeigen gezeigt, sagen Versuch und Ergebnis, dass sie offen waren.</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>The readings were open on the trainee&apos;s screen.</source>
+        <translation>Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
     </message>
 </context>
 <context>
@@ -2870,10 +2893,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Drücken Sie START und folgen Sie den Zeichen im Bild.</translation>
     </message>
     <message>
-        <source>A test: readings are hidden until it is over. The instructor&apos;s window (F10) shows them.</source>
-        <translation>Ein Test: Anzeigen bleiben verborgen, bis er vorbei ist. Das Fenster der Ausbilder (F10) zeigt sie.</translation>
-    </message>
-    <message>
         <source>Jaw force</source>
         <translation>Backenkraft</translation>
     </message>
@@ -2988,6 +3007,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>What is asked, and the limits, in place of the plots</source>
         <translation>Was verlangt ist, und die Grenzen, anstelle der Kurven</translation>
+    </message>
+    <message>
+        <source>A test: readings are hidden until it is over.</source>
+        <translation>Ein Test: Die Anzeigen sind bis zum Ende verborgen.</translation>
     </message>
 </context>
 <context>
@@ -3668,6 +3691,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>%1: %2 active, %3 free</source>
         <translation>%1: %2 aktiv, %3 frei</translation>
+    </message>
+    <message>
+        <source>▲ The readings were open on the trainee&apos;s screen.</source>
+        <translation>▲ Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5195,14 @@ Alle 2 s wird es wieder versucht.</translation>
         <source>What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. Without a graphics card pictures come less often</source>
         <translation>Was vor und hinter der scharfen Ebene liegt, ist unscharf; in der Ansicht verschieben Strg+Umschalt+Bild auf und ab diese Ebene. Ohne Grafikkarte kommen Bilder seltener</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Every change is kept at once (Esc)</source>
+        <translation>Jede Änderung gilt sofort (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::TraineeWindow</name>
@@ -5354,12 +5389,12 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Ausbilder</translation>
     </message>
     <message>
-        <source>Readings, cues and events in a window of their own, also in a test (F10)</source>
-        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster, auch im Test (F10)</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Readings, cues and events in a window of their own (F10); in a test on a screen that the trainee does not see</source>
+        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den der Trainee nicht sieht</translation>
     </message>
 </context>
 <context>

@@ -57,10 +57,32 @@ QString length_text(double mm) {
                   : QStringLiteral("%L1 mm").arg(mm, 0, 'g', 3);
 }
 
+QSizeF Overlay::size_of(const QString& text, const QFont& font, double extra_left) const {
+  const QFontMetricsF metrics(font);
+  return {metrics.horizontalAdvance(text) + extra_left + 20, metrics.height() + kAboutText_px};
+}
+
+// The first free place about a circle: right, left, then the corners, then further away; where none is free, below it.
+QRectF Overlay::beside(const QPointF& at, double radius_px, const QString& text, double extra_left) {
+  constexpr double kNear_px = 14, kFar_px = 46;
+  const QSizeF size = size_of(text, p_.font(), extra_left);
+  const QRectF inside = area_.adjusted(6, 6, -6, -6);
+  for (const double gap : {kNear_px, kFar_px})
+    for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, 1}, {0, -1}}) {
+      QRectF r(QPointF(), size);
+      r.moveCenter(at + QPointF(x * (radius_px + gap + 0.5 * size.width()), y * (radius_px + gap + 0.5 * size.height())));
+      const bool free = std::none_of(taken_.begin(), taken_.end(), [&](const QRectF& other) { return r.intersects(other); });
+      if (!free || !inside.contains(r)) continue;
+      taken_.push_back(r);
+      return r;
+    }
+  return room(at + QPointF(0, radius_px + 26), text, p_.font(), extra_left);
+}
+
 // a label's place: inside the picture and clear of the labels already drawn
 QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
-  const QFontMetricsF metrics(font);
-  const double h = metrics.height() + kAboutText_px, w = metrics.horizontalAdvance(text) + extra_left + 20;
+  const QSizeF size = size_of(text, font, extra_left);
+  const double h = size.height(), w = size.width();
   QRectF r(centre.x() - 0.5 * w, centre.y() - 0.5 * h, w, h);
   r.moveLeft(std::clamp(r.left(), area_.left() + 6, std::max(area_.left() + 6, area_.right() - 6 - w)));
   r.moveTop(std::clamp(r.top(), area_.top() + 6, std::max(area_.top() + 6, area_.bottom() - 6 - h)));
@@ -96,7 +118,7 @@ void Overlay::pill(const QPointF& centre, const QString& text, const QFont& font
 }
 
 void Overlay::scale_bar(double mm_per_pixel, double left) {
-  const double mm = nice_scale_mm(mm_per_pixel, 0.22 * area_.width()), px = mm / mm_per_pixel;
+  const double mm = nice_scale_mm(mm_per_pixel, kScaleShare * area_.width()), px = mm / mm_per_pixel;
   const double x = area_.left() + left + 18, y = area_.bottom() - 18;
   p_.setRenderHint(QPainter::Antialiasing);
   for (const auto& [colour, width] : {std::pair{ui_["view_bottom"], 4.5}, {ui_["view_text"], 2.0}}) {
@@ -150,14 +172,22 @@ void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style)
   p_.setBrush(Qt::NoBrush);
   for (const auto& [colour, width] :
        {std::pair{QColor(0, 0, 0, 120), 5.0}, {QColor(255, 255, 255, 220), 3.6}, {style.colour, 2.2}}) {
-    p_.setPen(QPen(colour, width));
+    // the outlines of a dashed circle are whole, so that it is seen on any ground
+    p_.setPen(QPen(colour, width, style.shape.startsWith(QLatin1Char('^')) && colour == style.colour ? Qt::DashLine : Qt::SolidLine));
     p_.drawEllipse(at, r, r);
   }
 }
 
 void Overlay::target_word(const QPointF& at, double radius_px, const CueStyle& style) {
   const double r = std::max(radius_px, kLeastMark_px), sign = 18;
-  const QRectF label = room(at + QPointF(0, r + 26), style.text, p_.font(), sign + 4);
+  const QRectF label = beside(at, r, style.text, sign + 4);
+  const QPointF end(std::clamp(at.x(), label.left(), label.right()), std::clamp(at.y(), label.top(), label.bottom()));
+  const QPointF way = end - at;
+  p_.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{QColor(0, 0, 0, 110), 3.0}, {QColor(255, 255, 255, 220), 1.4}}) {
+    p_.setPen(QPen(colour, width));
+    p_.drawLine(at + way * (r / std::max(std::hypot(way.x(), way.y()), r)), end);
+  }
   pill(label, style.text, p_.font(), sign + 4);
   CueStyle one = style;
   one.shape = style.shape.left(1);

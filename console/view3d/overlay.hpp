@@ -26,6 +26,8 @@ inline constexpr double kLeastMark_px = 9;
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
+  /// Longest scale bar over the width of the picture.
+  static constexpr double kScaleShare = 0.22;
   /// `left`: px that are covered at the left of the picture.
   void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
@@ -33,9 +35,9 @@ class Overlay {
   void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);
   /// A ring that fills clockwise during a hold, by `share`.
   void ring(const QPointF& at, double share, double radius_px = 17);
-  /// The circle of a target.
+  /// The circle of a target; dashed where something is to come out.
   void target(const QPointF& at, double radius_px, const CueStyle& style);
-  /// The sign and the text of a target, below its circle.
+  /// The sign and the text of a target, beside its circle with a short line to it, where they cover nothing that is kept clear.
   void target_word(const QPointF& at, double radius_px, const CueStyle& style);
   /// Marks the active tool, of several: a triangle below its tips, and its name.
   void led(const QPointF& at, const QString& name);
@@ -56,6 +58,8 @@ class Overlay {
   void message(const QString& text);
 
  private:
+  QSizeF size_of(const QString& text, const QFont& font, double extra_left) const;
+  QRectF beside(const QPointF& at, double radius_px, const QString& text, double extra_left);
   QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);
   void paint_label(const QRectF& at, double round_px);
   void several(const QStringList& lines, const QFont& font, double most_px);

@@ -11,6 +11,8 @@ namespace swage::console {
 namespace {
 
 constexpr double kBesideWound_px = 9;  // from its edge to the ring of its cue
+constexpr double kAboutMark_px = 3;    // room around a circle, for words
+constexpr double kAboutWork_px = 14;   // room around tips and ends, for words
 constexpr double kForceScale_px = 60;  // arrow of 1 N
 
 }  // namespace
@@ -68,13 +70,28 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     const double radius = mark.mark.number[0] * kMmPerM / eye.mm_per_pixel(h);
     const CueStyle style = shown_.cues.style(QString::fromStdString(meaning));
     overlay.target(at, radius, style);
+    const double clear = std::max(radius, kLeastMark_px) + kAboutMark_px;
+    overlay.keep_clear({at.x() - clear, at.y() - clear, 2 * clear, 2 * clear});
     // where to bring it is said once it has been taken: before that the word lies over what is to be taken
     const bool later = meaning == "target.point" && scene_.taken() == false;
     if (!later) words.push_back({at, radius, style});
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
   if (panel.inset != Inset::kNone) return;
+  keep_work_clear(overlay, panel);
   for (const Word& w : words) overlay.target_word(w.at, w.radius, w.style);
+}
+
+// no word lies over the tips, or over an end or the middle of what is worked on
+void SceneMarks::keep_work_clear(Overlay& overlay, const Panel& panel) const {
+  const SceneParts& parts = scene_.parts();
+  std::vector<Spot> places = parts.tips;
+  places.insert(places.end(), parts.ends.begin(), parts.ends.end());
+  if (parts.watched >= 0) places.push_back({static_cast<uint32_t>(parts.watched), parts.watched_on});
+  for (const Spot& place : places) {
+    const QPointF at = panel.view.eye.project(scene_.place_of(place), panel.size);
+    overlay.keep_clear({at.x() - kAboutWork_px, at.y() - kAboutWork_px, 2 * kAboutWork_px, 2 * kAboutWork_px});
+  }
 }
 
 void SceneMarks::paint_forces(Overlay& overlay, const Panel& panel) const {

@@ -64,11 +64,14 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   if (point_.microscope()) paint_field(painter, panel.size);
   const bool whole = panel.inset == Inset::kNone && !point_.stereo();
   // labels are placed above the hint, which is painted over the picture
-  const double below = whole ? Overlay::hint_height(job.words.hint, painter.font(), lower_edge(job).first, lower_edge(job).second) : 0;
+  const auto [hint_left, hint_right] = beside_scale(job);
+  const double below = whole ? Overlay::hint_height(job.words.hint, painter.font(), hint_left, hint_right) : 0;
   Overlay overlay(painter, QRectF(QPointF(), panel.size - QSizeF(0, below)), shown_.ui);
-  if (whole)
+  if (whole) {
     for (const Panel& other : job.panels)
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
+    overlay.keep_clear(scale_place(job));
+  }
   marks_.paint(overlay, panel, job.leads);
   if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
   painter.restore();
@@ -175,13 +178,29 @@ std::pair<double, double> ScenePainter::lower_edge(const Job& job) {
   return {left, right};
 }
 
+// where the scale bar is drawn, px
+QRectF ScenePainter::scale_place(const Job& job) {
+  constexpr double kHigh_px = 46, kAround_px = 30;
+  const QSizeF all = job.canvas.size;
+  return {lower_edge(job).first, all.height() - kHigh_px, Overlay::kScaleShare * all.width() + kAround_px, kHigh_px};
+}
+
+// What of the lower edge is left for a hint: beside the scale bar, where there is room for some words.
+std::pair<double, double> ScenePainter::beside_scale(const Job& job) {
+  constexpr double kLeast_px = 240;
+  const auto [left, right] = lower_edge(job);
+  const double beside = scale_place(job).right();
+  return {right - beside < kLeast_px ? left : beside, right};
+}
+
 void ScenePainter::paint_words(QPainter& painter, const Job& job) const {
   const QRect all(QPoint(), job.canvas.size);
   Overlay overlay(painter, all, shown_.ui);
-  const auto [left, right] = lower_edge(job);
+  const double left = lower_edge(job).first;
+  const auto [hint_left, hint_right] = beside_scale(job);
   if (scene_.have_card()) overlay.scale_bar(job.panels.front().view.eye.mm_per_pixel(all.height()), left);
   if (!job.words.clock.isEmpty()) overlay.clock(job.words.clock);
-  if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint, left, right);
+  if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint, hint_left, hint_right);
   if (!job.words.banner.isEmpty()) overlay.banner(job.words.banner);
   if (!job.canvas.focus) return;
   painter.setPen(QPen(shown_.ui["accent"], 2));

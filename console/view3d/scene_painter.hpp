@@ -76,6 +76,8 @@ class ScenePainter {
   QString wound_words() const;
   void paint_words(QPainter& painter, const Job& job) const;
   static std::pair<double, double> lower_edge(const Job& job);
+  static QRectF scale_place(const Job& job);
+  static std::pair<double, double> beside_scale(const Job& job);
 
   const SceneState& scene_;
   const Shown& shown_;

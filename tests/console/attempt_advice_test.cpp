@@ -48,12 +48,17 @@ TEST(AttemptAdvice, WhatIsHeldAtTheWrongPlaceIsLetGoOf) {
   EXPECT_FALSE(advice.hints(false, false).open);
 }
 
-TEST(AttemptAdvice, WhoHasClosedTheJawsIsToldHowToOpenThem) {
+TEST(AttemptAdvice, WhoHasClosedTheJawsOnNothingIsToldHowToOpenThem) {
   AttemptAdvice advice;
   EXPECT_FALSE(advice.hints(false, false).open);
   advice.use("close");
   EXPECT_TRUE(advice.hints(false, false).open);
   EXPECT_TRUE(advice.hints(true, false).open) << "a control is no answer of a test";
+  advice.read(held(true), 1);
+  EXPECT_FALSE(advice.hints(false, false).open) << "they hold it";
+  advice.reset();
+  EXPECT_FALSE(advice.hints(false, false).open) << "of that attempt alone";
+  advice.use("close");
   advice.use("open");
   EXPECT_FALSE(advice.hints(false, false).open);
 }

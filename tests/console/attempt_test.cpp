@@ -45,7 +45,7 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   ASSERT_TRUE(wait_for_time(6));
   EXPECT_EQ(task_line(), task);
   EXPECT_EQ(words().task, page()->setup()->summary()) << "the trainee's view";
-  QTest::keyClick(window.get(), Qt::Key_F10);
+  ask_for_readings(true);
   auto* own = window->findChild<console::InstructorWindow*>();
   ASSERT_NE(own, nullptr);
   EXPECT_TRUE(eventually([&] { return own->now()->findChild<QLabel*>(QStringLiteral("task_line"))->text() == "Hold it"; }));
@@ -55,6 +55,35 @@ TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
   click("start");
   ASSERT_TRUE(wait_for_time(6));
   EXPECT_TRUE(eventually([&] { return task_line() == "Hold it" && words().task == "Hold it"; })) << "in practice it helps";
+}
+
+// On the only screen the readings are shown after a question, and then nobody takes the attempt for a clean test.
+TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
+  script.rate = 20;
+  script.end_s = 0;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  page()->show_instructor(true);
+  EXPECT_TRUE(page()->instructor_shown()) << "nothing runs";
+  child<QAbstractButton>("test")->click();
+  EXPECT_FALSE(child<QPushButton>("forces")->isEnabled());
+  EXPECT_FALSE(child<QPushButton>("detail")->isEnabled());
+  click("start");
+  EXPECT_FALSE(page()->instructor_shown()) << "the trainee would see it";
+  ask_for_readings(false);
+  EXPECT_FALSE(page()->instructor_shown());
+  EXPECT_FALSE(child<QPushButton>("instructor")->isChecked());
+  ask_for_readings(true);
+  EXPECT_TRUE(page()->instructor_shown());
+  EXPECT_TRUE(eventually([&] { return !log->noted.empty(); }));
+  EXPECT_TRUE(log->noted.front().find("readings were open") != std::string::npos);
+  click("stop");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_TRUE(child<QLabel>("kept")->text().contains("readings were open")) << child<QLabel>("kept")->text().toStdString();
+  click("start");
+  click("stop");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_FALSE(child<QLabel>("kept")->text().contains("readings were open")) << "of that attempt alone";
 }
 
 TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {

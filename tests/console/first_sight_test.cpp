@@ -115,7 +115,7 @@ TEST_F(FirstSight, ATestShowsNoAnswersButInTheInstructorsWindow) {
   EXPECT_FALSE(child<console::ForceMeter>("force_meter")->isVisible());
   EXPECT_FALSE(child<QTableView>("events")->isVisible());
   EXPECT_TRUE(page()->legend()->active().isEmpty());
-  QTest::keyClick(window.get(), Qt::Key_F10);
+  ask_for_readings(true);
   auto* own = window->findChild<console::InstructorWindow*>();
   ASSERT_NE(own, nullptr);
   EXPECT_TRUE(own->isVisible());

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -106,6 +107,15 @@ class WindowTest : public testing::Test {
       what(dialog);
     });
     look->start(10);
+  }
+  /// F10 during a test on the only screen, which is the trainee's; `agree`: what is answered to the question.
+  void ask_for_readings(bool agree) {
+    in_dialog("readings_in_test", [agree](QDialog* d) {
+      auto* box = qobject_cast<QMessageBox*>(d);
+      for (QAbstractButton* b : box->buttons())
+        if ((box->buttonRole(b) == QMessageBox::AcceptRole) == agree) return b->click();
+    });
+    QTest::keyClick(window.get(), Qt::Key_F10);
   }
   void click(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
   /// Waits for a condition, never for a fixed time: the limit only ends a failing test, and even a slow machine stays below it.

@@ -43,6 +43,10 @@ TEST(WorstMoments, AMetricLeadsToThePeakOfItsSignal) {
   const auto over = p.worst([](const std::string&) { return MetricTarget{{}, 0.9}; });
   EXPECT_NEAR(over[0].weight, kOverLimit + 1.6 / 0.9, 1e-9);
   EXPECT_TRUE(over[0].what.contains("0.90")) << over[0].what.toStdString();
+  // a peak that keeps the limit is said to keep it
+  const auto within = p.worst([](const std::string&) { return MetricTarget{{}, 2.0}; });
+  EXPECT_LT(within[0].weight, kOverLimit);
+  EXPECT_TRUE(within[0].what.contains("within what is asked")) << within[0].what.toStdString();
 }
 
 TEST(WorstMoments, ANumberThatNoSignalReachedLeadsNowhere) {
