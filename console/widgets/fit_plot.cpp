@@ -9,7 +9,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kLeft_px = 46, kText_px = 18, kDot_px = 4, kShare = 0.62;  // kShare: of the height, for the fitted line
-constexpr double kRoom = 1.6;  // range of the residual axis over the band: larger residuals are drawn at the edge
+constexpr double kMargin = 1.6;  // range of the residual axis over the band: larger residuals are drawn at the edge
 
 struct Range {
   double low = 1e300, high = -1e300;
@@ -49,7 +49,7 @@ void FitPlot::draw_points(QPainter& p, const QRectF& area, bool residuals) const
   Range x, y;
   for (const Point& point : points_) x.add(point.x), y.add(point.y);
   const auto at = [&](double px, double py) {
-    const double v = residuals ? 0.5 + 0.5 * std::clamp(py / (kRoom * allowed_), -1.0, 1.0) : y.share(py);
+    const double v = residuals ? 0.5 + 0.5 * std::clamp(py / (kMargin * allowed_), -1.0, 1.0) : y.share(py);
     return QPointF(area.left() + x.share(px) * area.width(), area.bottom() - v * area.height());
   };
   if (!residuals && slope_ != 0) {
@@ -77,7 +77,7 @@ void FitPlot::paintEvent(QPaintEvent*) {
   p.setPen(theme_["border"]);
   p.drawRect(up);
   p.drawRect(low);
-  const double band = low.height() / (2 * kRoom);
+  const double band = low.height() / (2 * kMargin);
   p.fillRect(QRectF(low.left(), low.center().y() - band, low.width(), 2 * band), theme_["band"]);
   p.drawLine(QPointF(low.left(), low.center().y()), QPointF(low.right(), low.center().y()));
   p.setPen(theme_["muted"]);
