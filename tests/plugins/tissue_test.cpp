@@ -143,7 +143,8 @@ TEST(WallShape, HasASmoothSurfaceInAFrame) {
       EXPECT_NEAR(grid.height[i], w.height(grid.x0 + i * grid.dx, 0), 1e-12);
       // facets that differ by less than 0.03 rad are one face without a ridge (contact/README.md)
       if (i == 0 || i + 1 == grid.nx) continue;
-      const double before = std::atan2(grid.height[i] - grid.height[i - 1], grid.dx), after = std::atan2(grid.height[i + 1] - grid.height[i], grid.dx);
+      const double before = std::atan2(grid.height[i] - grid.height[i - 1], grid.dx);
+      const double after = std::atan2(grid.height[i + 1] - grid.height[i], grid.dx);
       EXPECT_LT(std::abs(after - before), 0.03) << i;
     }
     size_t in_band = 0;
