@@ -150,10 +150,10 @@ TEST(WallShape, HasASmoothSurfaceInAFrame) {
     size_t in_band = 0;
     for (const Wall::Piece& piece : grid.frame) {
       const Vec3 top = 0.25 * (piece[0] + piece[1] + piece[2] + piece[3]);
-      const bool beside = std::abs(top.x()) > -grid.x0 || std::abs(top.y()) > -grid.y0;
+      const WallPlace place = w.locate(top);
+      const bool beside = std::abs(place.foot.x()) > -grid.x0 || std::abs(place.foot.y()) > -grid.y0;
       in_band += beside;
-      const double depth = w.locate(top).depth;
-      EXPECT_NEAR(depth, beside ? 0 : 1.5e-3, 0.1 * band) << top.transpose();
+      EXPECT_NEAR(place.depth, beside ? 0 : 1.5e-3, 0.1 * band) << top.transpose();
     }
     EXPECT_GT(in_band, 10u);
     EXPECT_GT(grid.frame.size(), in_band + 10);
