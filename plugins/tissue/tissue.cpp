@@ -33,6 +33,8 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   if (params.edge_stiffness > 0 && (!(params.slit > 0) || !yields()))
     builder.error("edge_stiffness", "edges that move are those of a \"slit\", level compliant or mesh");
   if (params.mount_stiffness > 0 && yields()) builder.error("mount_stiffness", "a patch that moves as a whole is of level plane");
+  if (params.touched == Touched::kSmooth && params.form > Form::kRightSlope && (params.slit > 0 || !(params.backing > 0)))
+    builder.error("touched", "a curved wall that is touched as smooth has no \"slit\", and needs a \"backing\"");
   edges_ = {params.edge_stiffness > 0 ? 1 / params.edge_stiffness : 0, params.slit};
   if (params.form == Form::kTable) {
     try {
@@ -87,23 +89,41 @@ void Tissue::forces(const Step& step) {
   step.drive(mount_) = {0, k * square, 2 * std::sqrt(k * params_.mount_mass) * square, k * square};
 }
 
-/// The colliding pieces are deeper than the drawn ones, so that no object is pushed out on the wrong side.
-void Tissue::add_surface(const TissueParams& params, ObjectBuilder& builder) {
+void Tissue::add_piece(const Wall::Piece& piece, uint32_t flags, ObjectBuilder& builder) {
   constexpr uint32_t kStart[] = {0, 4, 8, 12, 16, 20, 24};
   constexpr uint32_t kFaces[] = {0, 1, 2, 3, 7, 6, 5, 4, 0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3, 3, 7, 4, 0};
+  std::vector<double> vertex;
+  for (const Vec3& corner : piece) vertex.insert(vertex.end(), corner.data(), corner.data() + 3);
+  builder.convex(body_, vertex, kStart, kFaces, flags);
+}
+
+/// The colliding pieces are deeper than the drawn ones, so that no object is pushed out on the wrong side.
+void Tissue::add_surface(const TissueParams& params, ObjectBuilder& builder) {
   const auto add = [&](double depth, uint32_t flags) {
-    for (const Wall::Piece& piece : wall_.pieces(depth)) {
-      std::vector<double> vertex;
-      for (const Vec3& corner : piece) vertex.insert(vertex.end(), corner.data(), corner.data() + 3);
-      builder.convex(body_, vertex, kStart, kFaces, flags);
-    }
+    for (const Wall::Piece& piece : wall_.pieces(depth)) add_piece(piece, flags, builder);
   };
-  if (params.backing > 0) {
+  if (smooth()) {
+    add_smooth_surface(params, builder);
+    add(params.thickness, SWAGE_SHAPE_DRAWN);
+  } else if (params.backing > 0) {
     add(params.thickness + params.backing, SWAGE_SHAPE_COLLIDES);
     add(params.thickness, SWAGE_SHAPE_DRAWN);
   } else {
     add(params.thickness, SWAGE_SHAPE_USUAL);
   }
+}
+
+/// A curved surface without borders: a height field, which pushes outwards wherever it is dented.
+void Tissue::add_smooth_surface(const TissueParams& params, ObjectBuilder& builder) {
+  const Wall::Grid grid = wall_.grid(params.thickness + params.backing, 0.5 * params.backing);
+  swage_height_field field{};
+  field.X_BH = {{grid.x0, grid.y0, 0}, {1, 0, 0, 0}};
+  field.nx = grid.nx, field.ny = grid.ny, field.dx = grid.dx, field.dy = grid.dy;
+  field.below = grid.below;
+  field.height = grid.height.data();
+  field.state = SWAGE_NONE;
+  builder.height_field(host_extension<swage_host_height_field>(SWAGE_HOST_HEIGHT_FIELD), body_, field, SWAGE_SHAPE_COLLIDES);
+  for (const Wall::Piece& piece : grid.frame) add_piece(piece, SWAGE_SHAPE_COLLIDES, builder);
 }
 
 MeshSpec Tissue::mesh_spec(const TissueParams& p) const {

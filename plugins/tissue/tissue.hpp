@@ -14,6 +14,7 @@
 namespace swage::tissue {
 
 enum class Level : int { kPlane, kCompliant, kMesh };
+enum class Touched : int { kStrips, kSmooth };
 
 struct TissueParams {
   Level level = Level::kPlane;
@@ -26,6 +27,7 @@ struct TissueParams {
   double wave_length = 8e-3;                 // m
   double radius = 8e-3;                      // m
   std::string heights;
+  Touched touched = Touched::kStrips;
   double slit = 0;           // m
   double edge_stiffness = 0;  // N/m
   double mount_stiffness = 0;    // N/m
@@ -76,6 +78,7 @@ class Tissue final : public Object<TissueParams>,
   static constexpr auto licence = "Apache-2.0";
 
   static constexpr const char* kLevels[] = {"plane", "compliant", "mesh", nullptr};
+  static constexpr const char* kTouched[] = {"strips", "smooth", nullptr};
   static constexpr const char* kUndersides[] = {"free", "held", nullptr};
   static constexpr const char* kForms[] = {"flat",     "left slope", "right slope", "waves",
                                            "cylinder", "table",      nullptr};
@@ -99,6 +102,9 @@ class Tissue final : public Object<TissueParams>,
       file<&TissueParams::heights>(
           "heights", "Table of heights",
           "Text file for the form table: nx ny, then ny rows of nx heights in metres."),
+      choice<&TissueParams::touched>("touched", "Touched as", kTouched,
+                                     "Curved forms. Strips: anything touches them, and what dents the wall beside a border between two may slide away. Smooth: for "
+                                     "needles and threads; rigid bodies go through down to half the backing. Not with a slit, nor without a backing."),
       real<&TissueParams::slit>("slit", "Slit", "m", "mm", 0, 5e-3,
                                 "Width of a gap along y through the middle: two wound edges; 0 for none."),
       real<&TissueParams::edge_stiffness>("edge_stiffness", "Edge stiffness", "N/m", "N/m", 0, 1e5,
@@ -228,6 +234,9 @@ class Tissue final : public Object<TissueParams>,
   /// Half of the wall in which a spot lies: 0 left of the slit, 1 right of it.
   static size_t half(const Spot& spot) { return spot.foot_O.x() < 0 ? 0 : 1; }
   void add_surface(const TissueParams& params, ObjectBuilder& builder);
+  bool smooth() const { return params_.touched == Touched::kSmooth && params_.form > Form::kRightSlope && params_.slit == 0; }
+  void add_smooth_surface(const TissueParams& params, ObjectBuilder& builder);
+  void add_piece(const Wall::Piece& piece, uint32_t flags, ObjectBuilder& builder);
   MeshSpec mesh_spec(const TissueParams& params) const;
   Spot spot(const toolkit::Frame& X_WO, const Vec3& foot_O) const;
   Mesh::Place place(const Vec3& foot_O) const { return mesh_.place(wall_.laid_flat(foot_O.x()), foot_O.y()); }

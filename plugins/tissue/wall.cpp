@@ -16,6 +16,8 @@ namespace {
 constexpr uint32_t kMostNodes =
     64;  // of a table along one side: more would give more convex pieces than a step can test
 constexpr int kStrips = 24;  // convex strips that approximate a curved surface
+constexpr uint32_t kGridCells = 128;  // of a smooth surface along one side: the most that a height field has
+constexpr double kBand = 0.3e-3;  // m, along the rim of a smooth surface: pieces, whose sides stop what comes from beside the wall
 constexpr int kFeet = 3;  // iterations for the nearest place on a curved surface; exact on planes after the first
 
 }  // namespace
@@ -130,31 +132,67 @@ std::vector<double> Wall::stations() const {
   return x;
 }
 
+/// Borders of the pieces, along y.
+std::vector<double> Wall::rows() const {
+  const int n = shape_.form == Form::kTable ? static_cast<int>(shape_.table.ny) - 1 : 1;
+  std::vector<double> y;
+  for (int j = 0; j <= n; ++j) y.push_back(shape_.size[1] * (static_cast<double>(j) / n - 0.5));
+  return y;
+}
+
+/// The piece over a rectangle, from `from` to `depth` below the surface. Its upper face is planar: tangent in the middle.
+Wall::Piece Wall::piece(double x0, double x1, double y0, double y1, double from, double depth) const {
+  const double at[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  const double mx = 0.5 * (x0 + x1), my = 0.5 * (y0 + y1);
+  const Vec3 n = normal(mx, my);
+  const double mz = 0.25 * (height(at[0][0], y0) + height(at[1][0], y0) + height(at[2][0], y1) + height(at[3][0], y1));
+  Piece piece;
+  for (size_t k = 0; k < 4; ++k) {
+    const double z = mz - (n.x() * (at[k][0] - mx) + n.y() * (at[k][1] - my)) / n.z();
+    piece[k] = Vec3(at[k][0], at[k][1], z);
+    piece[4 + k] = piece[k] - depth * n;
+    if (from > 0) piece[k] -= from * n;
+  }
+  return piece;
+}
+
 std::vector<Wall::Piece> Wall::pieces(double depth) const {
-  const std::vector<double> x = stations();
-  const int rows = shape_.form == Form::kTable ? static_cast<int>(shape_.table.ny) - 1 : 1;
+  const std::vector<double> x = stations(), y = rows();
   std::vector<Piece> pieces;
   for (size_t i = 0; i + 1 < x.size(); ++i) {
     if (shape_.slit > 0 && x[i] < 0 && x[i + 1] > 0) continue;
-    for (int j = 0; j < rows; ++j) {
-      const double y0 = shape_.size[1] * (static_cast<double>(j) / rows - 0.5);
-      const double y1 = shape_.size[1] * (static_cast<double>(j + 1) / rows - 0.5);
-      const double at[4][2] = {{x[i], y0}, {x[i + 1], y0}, {x[i + 1], y1}, {x[i], y1}};
-      // the upper face is planar: tangent at the middle of the piece
-      const double mx = 0.5 * (x[i] + x[i + 1]), my = 0.5 * (y0 + y1);
-      const Vec3 n = normal(mx, my);
-      const double mz =
-          0.25 * (height(at[0][0], y0) + height(at[1][0], y0) + height(at[2][0], y1) + height(at[3][0], y1));
-      Piece piece;
-      for (size_t k = 0; k < 4; ++k) {
-        const double z = mz - (n.x() * (at[k][0] - mx) + n.y() * (at[k][1] - my)) / n.z();
-        piece[k] = Vec3(at[k][0], at[k][1], z);
-        piece[4 + k] = piece[k] - depth * n;
-      }
-      pieces.push_back(piece);
-    }
+    for (size_t j = 0; j + 1 < y.size(); ++j) pieces.push_back(piece(x[i], x[i + 1], y[j], y[j + 1], 0, depth));
   }
   return pieces;
+}
+
+Wall::Grid Wall::grid(double depth, double floor) const {
+  Grid grid;
+  const double band = std::min(kBand, 0.1 * std::min(shape_.size[0], shape_.size[1]));
+  const auto cells = [&](uint32_t nodes) { return shape_.form == Form::kTable ? std::min(kGridCells, 4 * (nodes - 1)) : kGridCells; };
+  grid.nx = cells(shape_.table.nx) + 1;
+  grid.ny = shape_.form == Form::kTable ? cells(shape_.table.ny) + 1 : 2;  // the other forms are straight along y
+  grid.x0 = band - 0.5 * shape_.size[0], grid.y0 = band - 0.5 * shape_.size[1];
+  grid.dx = -2 * grid.x0 / (grid.nx - 1), grid.dy = -2 * grid.y0 / (grid.ny - 1);
+  for (uint32_t j = 0; j < grid.ny; ++j)
+    for (uint32_t i = 0; i < grid.nx; ++i) grid.height.push_back(height(grid.x0 + i * grid.dx, grid.y0 + j * grid.dy));
+  grid.below = depth - floor;
+
+  // borders of the pieces, with those of the band and none close to them
+  const auto banded = [band](std::vector<double> at) {
+    const double rim = at.back(), inner = rim - band;
+    std::erase_if(at, [&](double x) { return std::abs(x) > inner - 0.5 * band && std::abs(x) < rim; });
+    at.insert(at.begin() + 1, -inner);
+    at.insert(at.end() - 1, inner);
+    return at;
+  };
+  const std::vector<double> x = banded(stations()), y = banded(rows());
+  for (size_t i = 0; i + 1 < x.size(); ++i)
+    for (size_t j = 0; j + 1 < y.size(); ++j) {
+      const bool in_band = i == 0 || j == 0 || i + 2 == x.size() || j + 2 == y.size();
+      grid.frame.push_back(piece(x[i], x[i + 1], y[j], y[j + 1], in_band ? 0 : depth - floor, depth));
+    }
+  return grid;
 }
 
 }  // namespace swage::tissue

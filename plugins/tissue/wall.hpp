@@ -60,8 +60,22 @@ class Wall {
   /// Pieces from the entry surface down to `depth` below it. [main]
   std::vector<Piece> pieces(double depth) const;
 
+  /// A curved surface as wires touch it smoothly: a grid over all but a band along the rim, and pieces for the band and for a floor.
+  struct Grid {
+    uint32_t nx = 0, ny = 0;     // vertices
+    double x0 = 0, y0 = 0;       // m, first vertex
+    double dx = 0, dy = 0;       // m, sides of a cell
+    std::vector<double> height;  // m, row by row
+    double below = 0;            // m, from the grid down to the floor
+    std::vector<Piece> frame;    // band and floor, down to `depth`
+  };
+  /// `floor`: thickness of the floor, less than `depth`. [main]
+  Grid grid(double depth, double floor) const;
+
  private:
   std::vector<double> stations() const;
+  std::vector<double> rows() const;
+  Piece piece(double x0, double x1, double y0, double y1, double from, double depth) const;
   double interpolated(double x, double y) const noexcept;
 
   WallShape shape_;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "run_lesson.hpp"
 #include "test_places.hpp"
@@ -60,6 +62,32 @@ TEST_P(Pairs, TheExpertTakesItWhereItHangs) {
   EXPECT_EQ(attempt.outcome(), "passed") << attempt.reason();
   EXPECT_LT(attempt.metric("wound.size"), 1.4);
   EXPECT_LT(attempt.metric("insert.cosine"), 0.15);
+}
+
+// a curved wall that is touched as smooth: no border between strips from which the point slides away
+TEST(Pairs, TheExpertGoesIntoACurvedWall) {
+  const auto run_on = [](const std::string& lesson, const std::vector<std::string>& set) {
+    auto attempt = std::make_unique<LessonRun>(SWAGE_SOURCE_DIR "/lessons/series/" + lesson, "expert", set);
+    EXPECT_EQ(attempt->problems(), "");
+    if (attempt->ready()) attempt->run(60);
+    return attempt;
+  };
+  const auto flat = run_on("110_insertion.json", {});
+  for (const char* lesson : {"110_insertion.json", "116_insertion_hanging.json"})
+    for (const char* form : {"cylinder", "waves"}) {
+      const auto curved = run_on(lesson, {std::string("tissue.form=") + form});
+      EXPECT_EQ(curved->outcome(), "passed") << lesson << " " << form << ": " << curved->reason();
+      EXPECT_LT(curved->metric("wound.size"), 1.3) << lesson << " " << form;
+      EXPECT_GT(curved->verdict().score, 90) << lesson << " " << form;
+    }
+  // waves of no height are flat: the same attempt
+  const auto waves = run_on("110_insertion.json", {"tissue.form=waves", "tissue.wave_height=0mm"});
+  EXPECT_EQ(waves->outcome(), "passed");
+  EXPECT_NEAR(waves->metric("wound.size"), flat->metric("wound.size"), 1e-3);
+  EXPECT_NEAR(waves->verdict().score, flat->verdict().score, 0.1);
+  // as strips it is turned away: the limit that tissue.md states
+  const auto strips = run_on("110_insertion.json", {"tissue.form=waves", "tissue.wave_height=0mm", "tissue.touched=strips"});
+  EXPECT_NE(strips->outcome(), "passed");
 }
 
 TEST(Pairs, TheClumsyHandTearsTheTissueAndIsToldSo) {

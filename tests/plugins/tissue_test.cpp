@@ -7,6 +7,7 @@
 #include <swage/testbed.hpp>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -126,6 +127,60 @@ TEST(WallShape, HasARimAndASlit) {
   EXPECT_EQ(w.pieces(1e-3).size(), 2u);
   EXPECT_EQ(wall(Form::kFlat).pieces(1e-3).size(), 1u);
   EXPECT_GT(wall(Form::kWaves).pieces(1e-3).size(), 10u);
+}
+
+// the grid of a smooth wall lies on its surface inside a band along the rim; the frame has the band and the floor
+TEST(WallShape, HasASmoothSurfaceInAFrame) {
+  for (const Form form : {Form::kWaves, Form::kCylinder}) {
+    const Wall w = wall(form);
+    const Wall::Grid grid = w.grid(2e-3, 0.5e-3);
+    ASSERT_EQ(grid.height.size(), size_t{grid.nx} * grid.ny);
+    EXPECT_NEAR(grid.below, 1.5e-3, 1e-15);
+    const double band = 0.5 * w.shape().size[0] + grid.x0;
+    EXPECT_NEAR(grid.x0 + (grid.nx - 1) * grid.dx, -grid.x0, 1e-12);
+    EXPECT_NEAR(grid.y0 + (grid.ny - 1) * grid.dy, -grid.y0, 1e-12);
+    for (uint32_t i = 0; i < grid.nx; ++i) {
+      EXPECT_NEAR(grid.height[i], w.height(grid.x0 + i * grid.dx, 0), 1e-12);
+      // facets that differ by less than 0.03 rad are one face without a ridge (contact/README.md)
+      if (i == 0 || i + 1 == grid.nx) continue;
+      const double before = std::atan2(grid.height[i] - grid.height[i - 1], grid.dx);
+      const double after = std::atan2(grid.height[i + 1] - grid.height[i], grid.dx);
+      EXPECT_LT(std::abs(after - before), 0.03) << i;
+    }
+    size_t in_band = 0;
+    for (const Wall::Piece& piece : grid.frame) {
+      const Vec3 top = 0.25 * (piece[0] + piece[1] + piece[2] + piece[3]);
+      const WallPlace place = w.locate(top);
+      const bool beside = std::abs(place.foot.x()) > -grid.x0 || std::abs(place.foot.y()) > -grid.y0;
+      in_band += beside;
+      EXPECT_NEAR(place.depth, beside ? 0 : 1.5e-3, 0.1 * band) << top.transpose();
+    }
+    EXPECT_GT(in_band, 10u);
+    EXPECT_GT(grid.frame.size(), in_band + 10);
+  }
+}
+
+TEST(Tissue, IsTouchedSmoothlyWhereItIsCurved) {
+  const auto shapes = [](double form, double slit, double backing, std::vector<std::string>* errors) {
+    testbed::ObjectBench<Tissue> bench;
+    bench.set("form", form);
+    bench.set("touched", 1);
+    bench.set("slit", slit);
+    bench.set("backing", backing);
+    bench.start();
+    *errors = bench.declared.errors;
+    return std::count(bench.declared.shapes.begin(), bench.declared.shapes.end(), SWAGE_SHAPE_HEIGHT_FIELD);
+  };
+  std::vector<std::string> errors;
+  EXPECT_EQ(shapes(4, 0, 1e-3, &errors), 1) << "cylinder";
+  EXPECT_TRUE(errors.empty());
+  EXPECT_EQ(shapes(3, 0, 1e-3, &errors), 1) << "waves";
+  EXPECT_EQ(shapes(0, 0.4e-3, 1e-3, &errors), 0) << "a flat one is smooth as it is";
+  EXPECT_TRUE(errors.empty());
+  shapes(4, 0.4e-3, 1e-3, &errors);
+  EXPECT_EQ(errors.size(), 1u) << "a slit";
+  shapes(4, 0, 0, &errors);
+  EXPECT_EQ(errors.size(), 1u) << "no backing";
 }
 
 TEST(Tissue, ReadsAnyHeightsFromATable) {
