@@ -21,6 +21,7 @@ record::AttemptRow attempt(const char* lesson, const char* utc, bool passed, dou
   a.outcome = passed ? "passed" : "failed";
   a.reason = passed ? "" : "failed.dropped";
   a.mode = mode;
+  a.state = "complete";
   a.score = score;
   return a;
 }
