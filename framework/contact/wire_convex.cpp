@@ -72,12 +72,13 @@ class Writer {
     return (1 - sharp_[at(k)]) * curve_.length(piece.from, piece.to);
   }
 
-  /// Length of the wire over the region of a piece [m]. Where the wire continues as another solid, it is followed along its tangent to the
+  /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, it is followed along its tangent to the
   /// border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
   /// a point beside its line, at the cut or at the edge by the sign of its tilt, and rock from step to step.
   double length_over_region(int k) const {
     const Piece<Place>& piece = walk_.pieces()[k];
     double length = curve_.length(piece.from, piece.to);
+    if (piece.region.kind == Region::kEdge) return length;  // across an edge, or along a segment of a thread, it is one touch
     const auto is = [](Place place, Place end) { return Curve::order(place) == Curve::order(end); };
     if (query_.goes_on && is(piece.from, curve_.stretch(0).from))
       length += ahead(piece.region, curve_.point(piece.from), -curve_.tangent(piece.from));

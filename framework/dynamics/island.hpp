@@ -119,12 +119,14 @@ class IslandSolver {
   double negligible_merit(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
+  bool begins_with_projection(const Island& island) const noexcept;
+  bool project_first(const Island& island, double tolerance, Outcome& outcome) noexcept;
   void fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;
   bool hold_limits(const Island& island, double tolerance, uint32_t rounds, Outcome& outcome) noexcept;
 
   // island_projection.cpp
-  bool project(const Island& island, double tolerance) noexcept;
+  bool project(const Island& island, double tolerance, uint32_t steps) noexcept;
   bool search_direction_of_projection(const Island& island) noexcept;
   bool settle(const Island& island, double tolerance) noexcept;
 

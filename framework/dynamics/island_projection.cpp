@@ -15,7 +15,6 @@
 namespace swage::dynamics {
 namespace {
 
-constexpr uint32_t kSteps = 44;       // normal: 8 to 15
 constexpr uint32_t kWholeSteps = 8;   // after these, steps that get no shorter are shortened: the iteration may be a cycle
 constexpr double kShortened = 0.6;    // share taken of such a step
 constexpr double kShorter = 0.5;      // of the step before: a step below this counts as shorter
@@ -48,11 +47,11 @@ bool IslandSolver::search_direction_of_projection(const Island& island) noexcept
   return there;
 }
 
-/// Iterates from the forces of the last step or pass. True when it converged to a point at which the law holds.
-bool IslandSolver::project(const Island& island, double tolerance) noexcept {
+/// At most so many steps from the forces of the last step or pass. True when it converged to a point at which the law holds.
+bool IslandSolver::project(const Island& island, double tolerance, uint32_t steps) noexcept {
   for (Constraint& c : island.constraints) c.projected = c.before.fn > 0 ? c.before : Force{};
   double last = HUGE_VAL;
-  for (uint32_t i = 0; i < kSteps; ++i) {
+  for (uint32_t i = 0; i < steps; ++i) {
     if (!search_direction_of_projection(island)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;

@@ -157,7 +157,7 @@ void Rig::draw(double speed) {
 void Rig::step(PullPhase& phase) {
   const toolkit::RodState s = rod_.state();
   before_.assign(s.x, s.x + 3 * n_);
-  const uint64_t failed = solve_->stats().health.total();
+  const uint64_t failed = solve_->stats().health.total(), directions = solve_->stats().newton;
   const double begin = cpu_us();
   solve_->free_motion(world_);
   rod_.advance();
@@ -170,6 +170,7 @@ void Rig::step(PullPhase& phase) {
   time_ += world_.dt;
   ++phase.steps;
   phase.not_converged += solve_->stats().health.total() - failed;
+  phase.directions += solve_->stats().newton - directions;
   const auto there = [&](int j) { return j != laid_.loop - 1 && j != laid_.loop; };
   phase.passages += toolkit::passages(n_, before_.data(), s.x, there, boxes_);
   double most = 0, length = world_.chain[0].s.back();

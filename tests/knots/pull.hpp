@@ -49,6 +49,7 @@ const char* text(PullEnd);
 struct PullPhase {
   int steps = 0;
   uint64_t not_converged = 0;
+  uint64_t directions = 0;     // search directions of the solver
   int passages = 0;            // of thread through thread
   size_t contacts = 0, bearing = 0;  // most of a step: looked at, and with force
   double median_us = 0, p999_us = 0, most_us = 0;  // processor time of a step

@@ -29,6 +29,16 @@ TEST(PullTest, ASquareKnotHoldsWhereAGrannySlips) {
   EXPECT_LT(granny.most, 0.06) << "N";
 }
 
+// Its 50 contacts alternate between stick and slip. The projection finds their pieces at once, in 9 directions a step; from piece to piece
+// they take 38.
+TEST(PullTest, ATightKnotTakesFewDirections) {
+  const PullResult square = pulled({1, -1}, 0.35);
+  EXPECT_GT(square.pull.steps, 200);
+  EXPECT_GT(square.pull.bearing, 40u);
+  EXPECT_LT(square.pull.directions, 15u * static_cast<uint64_t>(square.pull.steps));
+  EXPECT_EQ(square.tighten.not_converged + square.rest.not_converged + square.pull.not_converged, 0u);
+}
+
 // it is friction that holds it: 0.2 is too little, 0.3 is enough
 TEST(PullTest, ASquareKnotSlipsWithLittleFriction) {
   const PullResult square = pulled({1, -1}, 0.2);
