@@ -47,7 +47,7 @@ void expect_square(const Tied& knot) {
   EXPECT_EQ(knot.kind, 2) << "square";
   EXPECT_EQ(knot.sliding, 0);
   EXPECT_EQ(knot.passages, 0);
-  EXPECT_LT(knot.gap, 0.1e-3) << "m, of 0.4 mm";
+  EXPECT_LT(knot.gap, 0.1e-3) << "m, of 0.3 mm";
   EXPECT_GT(knot.pull, 50e-3) << "N: it bears what the hands draw";
 }
 
