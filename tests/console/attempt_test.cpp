@@ -303,38 +303,5 @@ TEST_F(OwnLessonOnPage, IsDeletedOnlyWhenThatWasMeant) {
   EXPECT_FALSE(child<QPushButton>("delete_lesson")->isVisible());
 }
 
-// The keys that the result shows beside its buttons act wherever the focus was during the attempt.
-TEST_F(AttemptOnPage, AResultIsLeftByItsKeys) {
-  attempts = sample_attempts();
-  script.rate = 100;
-  open();
-  const auto press = [this](Qt::Key key, Qt::KeyboardModifiers with) {
-    QApplication::setActiveWindow(window.get());
-    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : window.get(), key, with);
-  };
-  const auto end_one = [&] {
-    click("page_run");
-    click("start");
-    ASSERT_TRUE(wait_for_end());
-    ASSERT_TRUE(eventually([&] { return child<QPushButton>("again")->isVisible(); }));
-    page()->view()->setFocus();
-  };
-  end_one();
-  press(Qt::Key_F5, Qt::NoModifier);
-  EXPECT_NE(control()->state(), console::RunControl::State::kFinished) << "again";
-  ASSERT_TRUE(wait_for_end());
-  press(Qt::Key_P, Qt::ControlModifier);
-  EXPECT_TRUE(window->people_page()->isVisible());
-  end_one();
-  ASSERT_TRUE(child<QPushButton>("to_review")->isEnabled());
-  press(Qt::Key_R, Qt::ControlModifier);
-  EXPECT_TRUE(window->review_page()->isVisible());
-  end_one();
-  auto* lessons = child<QListView>("lessons");
-  const int row = lessons->currentIndex().row();
-  press(Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_EQ(lessons->currentIndex().row(), row + 1);
-}
-
 }  // namespace
 }  // namespace swage::test
