@@ -48,6 +48,8 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
 QWidget* SetupPanel::make_who() {
   Card card = make_card(tr("Trainee"), this);
   person_ = new QComboBox(card.frame);
+  person_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  person_->setMinimumContentsLength(12);
   person_->setObjectName(QStringLiteral("person"));
   person_->setAccessibleName(tr("Trainee"));
   person_->setEditable(true);
@@ -153,6 +155,9 @@ QWidget* SetupPanel::make_mode() {
 
   card.body->addWidget(make_heading(tr("Instrument"), card.frame));
   device_ = new QComboBox(card.frame);
+  // a long name of an instrument must not make the column wider than the screen leaves it
+  device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  device_->setMinimumContentsLength(12);
   device_->setObjectName(QStringLiteral("device"));
   device_->setAccessibleName(tr("Instrument"));
   fill_devices();

@@ -4176,6 +4176,10 @@ Bea L., Frühjahr, links</translation>
         <source>Hold B: open the jaws</source>
         <translation>B halten: Backen öffnen</translation>
     </message>
+    <message>
+        <source>No bent needle is at the tips that could be driven</source>
+        <translation>An den Spitzen ist keine gebogene Nadel, die man führen könnte</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneView</name>

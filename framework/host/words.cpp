@@ -124,6 +124,7 @@ std::vector<std::string> words_of(const PluginInfo& plugin) {
     if (p.hidden() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
     list.add(p.label.empty() ? p.id : p.label);
     list.add(p.doc);
+    list.add(p.group);
     for (const std::string& choice : p.choices) list.add(choice);
   }
   for (const CriterionInfo& c : plugin.criteria) list.add(c.text);

@@ -37,8 +37,8 @@ void parse_words(const std::string& text, const std::string& path, const std::st
 /// The meaning of an event, without the clause that explains its value.
 std::string_view without_value(std::string_view doc);
 
-/// The texts to translate, each once, in the order of the source. Of a plugin: its name, its summary but for a lesson's, labels, help and choices of the visible
-/// parameters, titles and meanings of metrics, criteria. Formulas are notation and are not translated.
+/// The texts to translate, each once, in the order of the source. Of a plugin: its name, its summary but for a lesson's; labels, help,
+/// groups and choices of the visible parameters; titles and meanings of metrics; criteria. Formulas are notation and are not translated.
 std::vector<std::string> words_of(const PluginInfo& plugin);
 /// Of all plugins of a scene: signals, events, phases and metrics; not the host's own events, which the program translates.
 std::vector<std::string> words_of(const snapshot::SceneCard& card);
