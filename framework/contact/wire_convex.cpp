@@ -72,8 +72,8 @@ class Writer {
     return (1 - sharp_[at(k)]) * curve_.length(piece.from, piece.to);
   }
 
-  /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, it is followed along its tangent to the
-  /// border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
+  /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, it is followed along its
+  /// tangent to the border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
   /// a point beside its line, at the cut or at the edge by the sign of its tilt, and rock from step to step.
   double length_over_region(int k) const {
     const Piece<Place>& piece = walk_.pieces()[k];

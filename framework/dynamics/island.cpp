@@ -26,8 +26,8 @@ constexpr uint32_t kProjections = 44;  // steps of the projection, normal: 8 to 
 constexpr uint32_t kProjectionsBeforePath = 10;  // the same where its path follows: in tight knots of 60 contacts it then takes 3 to 8 directions
 constexpr uint32_t kMostBends = 100;   // constraints of an island with threads whose path is followed: a longer one uses up the budget
 // Contacts of thread with thread from which on the projection comes first. A square knot drawn tight with 30 mN has 50 that bear, a surgeon's
-// knot with 100 mN as many: 12 and 16 directions a step, where Newton's method and its path take 38 and 56. Fewer: a single crossing or two, where a path
-// ends at a near solution
+// knot with 100 mN as many: 9 and 16 directions a step, where Newton's method and its path take 38 and 56. Fewer: a crossing or two, where a
+// path ends at a near solution.
 constexpr uint32_t kWound = 40;
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // in tolerances: a step as short as this is due to rounding

@@ -123,6 +123,21 @@ TEST(InsertionJudge, AWrongPlaceFailsInTheEndAndMayBeMended) {
   EXPECT_EQ(end.score, 0);
 }
 
+/// Lifted, let go and fallen, three times.
+Finding drop_three_times(const Rules& rules) {
+  Attempt a(rules);
+  Finding f;
+  for (int i = 0; i < 3; ++i) {
+    a.hold();
+    a.now.needle_W = Vec3(0, 0, 10e-3);
+    a.go();
+    a.now.held = false;
+    a.now.needle_W = Vec3(0, 0, 5e-3);
+    f = a.go();
+  }
+  return f;
+}
+
 TEST(InsertionJudge, EachWayToFail) {
   Attempt torn;
   torn.hold();
@@ -143,16 +158,7 @@ TEST(InsertionJudge, EachWayToFail) {
   }
   EXPECT_EQ(f.end, End::kDeflected);
 
-  Attempt dropped;
-  for (int i = 0; i < 3; ++i) {
-    dropped.hold();
-    dropped.now.needle_W = Vec3(0, 0, 10e-3);
-    dropped.go();
-    dropped.now.held = false;
-    dropped.now.needle_W = Vec3(0, 0, 5e-3);
-    f = dropped.go();
-  }
-  EXPECT_EQ(f.end, End::kDropped);
+  EXPECT_EQ(drop_three_times(Rules()).end, End::kDropped);
 
   Rules rules;
   rules.max_time = 0.05;
@@ -176,16 +182,7 @@ TEST(InsertionJudge, InPracticeNoLimitEndsIt) {
   far.now.needle_W = Vec3(20e-3, 0, -30e-3);
   EXPECT_EQ(far.go().end, End::kRunning) << "it can be put back";
 
-  Attempt dropped(practice);
-  for (int i = 0; i < 3; ++i) {
-    dropped.hold();
-    dropped.now.needle_W = Vec3(0, 0, 10e-3);
-    dropped.go();
-    dropped.now.held = false;
-    dropped.now.needle_W = Vec3(0, 0, 5e-3);
-    f = dropped.go();
-  }
-  EXPECT_EQ(f.end, End::kRunning);
+  EXPECT_EQ(drop_three_times(practice).end, End::kRunning);
 }
 
 TEST(InsertionJudge, WhatNobodyCanReachIsLost) {
