@@ -69,32 +69,21 @@ TEST_F(Describe, TellsTheSignalsAndEventsOfObjectsAndCouplings) {
 
 // in the scene of a lesson: what it declares there, and what starts inside what
 TEST_F(Describe, InTheSceneOfALesson) {
-  const auto two = [this](const char* x) {
-    write("two.json", std::string(R"({
-      "format": "swage-lesson/1", "id": "org.example.two", "title": "Two", "scene_length": "1 mm",
-      "requires": { "swage.object.solids": "^1", "swage.coupling.contact": "^1", "swage.lesson.look": "^1" },
-      "objects": [ { "name": "ring", "plugin": "swage.object.solids" },
-                   { "name": "hook", "plugin": "swage.object.solids", "pose": { "p": [")") +
-                          x + R"(", "0 mm", "0 mm"] } } ],
-      "couplings": [ { "name": "touch", "plugin": "swage.coupling.contact", "between": ["ring", "hook"] } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.1 s" } } })");
-    return path("two.json");
-  };
   const std::string starts = step::say::kStartsInside.words(0) + "ring" + step::say::kStartsInside.words(1);
   for (const char* plugin : {"swage.lesson.look", "swage.coupling.contact"}) {
-    const Said inside = swage({"describe", plugin, "--with", two("0.4 mm")});
+    const Said inside = swage({"describe", plugin, "--with", write_two_solids("0.4 mm")});
     EXPECT_EQ(inside.code, 0) << inside.err;
     EXPECT_THAT(inside.out, HasSubstr("  [At the start]\n  " + starts)) << plugin;
     EXPECT_THAT(inside.out, testing::ContainsRegex("[0-9.]+" + step::say::kStartsInside.words(2) + "hook"));
   }
-  const nlohmann::json contact = swage({"describe", "swage.coupling.contact", "--with", two("0.4 mm"), "--json"}).json()[0];
+  const nlohmann::json contact = swage({"describe", "swage.coupling.contact", "--with", write_two_solids("0.4 mm"), "--json"}).json()[0];
   EXPECT_EQ(contact["signals"][0]["id"], "contact.force");
   EXPECT_EQ(contact["overlaps"].size(), 1u);
-  EXPECT_EQ(swage({"describe", "swage.coupling.contact", "--with", two("20 mm"), "--json"}).json()[0]["overlaps"].size(), 0u);
+  EXPECT_EQ(swage({"describe", "swage.coupling.contact", "--with", write_two_solids("20 mm"), "--json"}).json()[0]["overlaps"].size(), 0u);
   EXPECT_FALSE(swage({"describe", "swage.coupling.contact", "--json"}).json()[0].contains("overlaps"));
 
   // a plugin that the lesson does not use, and a file that is no lesson
-  EXPECT_THAT(swage({"describe", kNeedle, "--with", two("20 mm")}).out, HasSubstr("Its signals and events are not known here"));
+  EXPECT_THAT(swage({"describe", kNeedle, "--with", write_two_solids("20 mm")}).out, HasSubstr("Its signals and events are not known here"));
   write("none.json", "{}");
   const Said none = swage({"describe", kNeedle, "--with", path("none.json")});
   EXPECT_EQ(none.code, 2);

@@ -107,6 +107,17 @@ std::string Program::read(const std::string& name) const {
   return text.str();
 }
 
+std::string Program::write_two_solids(const std::string& x) const {
+  write("two.json", R"({
+      "format": "swage-lesson/1", "id": "org.example.two", "title": "Two", "scene_length": "1 mm",
+      "requires": { "swage.object.solids": "^1", "swage.coupling.contact": "^1", "swage.lesson.look": "^1" },
+      "objects": [ { "name": "ring", "plugin": "swage.object.solids" },
+                   { "name": "hook", "plugin": "swage.object.solids", "pose": { "p": [")" + x + R"(", "0 mm", "0 mm"] } } ],
+      "couplings": [ { "name": "touch", "plugin": "swage.coupling.contact", "between": ["ring", "hook"] } ],
+      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.1 s" } } })");
+  return path("two.json");
+}
+
 void Program::write_drop_lesson() const {
   write("drop.json", R"({
       "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",

@@ -373,17 +373,7 @@ TEST_F(Validate, LessonFilesToo) {
 
 // what starts inside each other is thrown: it is said with its depth and both names
 TEST_F(Validate, SaysWhatStartsInsideEachOther) {
-  const auto two = [this](const char* x) {
-    write("two.json", std::string(R"({
-      "format": "swage-lesson/1", "id": "org.example.two", "title": "Two", "scene_length": "1 mm",
-      "requires": { "swage.object.solids": "^1", "swage.coupling.contact": "^1", "swage.lesson.look": "^1" },
-      "objects": [ { "name": "ring", "plugin": "swage.object.solids" },
-                   { "name": "hook", "plugin": "swage.object.solids", "pose": { "p": [")") +
-                          x + R"(", "0 mm", "0 mm"] } } ],
-      "couplings": [ { "name": "touch", "plugin": "swage.coupling.contact", "between": ["ring", "hook"] } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.1 s" } } })");
-    return swage({"validate", path("two.json")});
-  };
+  const auto two = [this](const char* x) { return swage({"validate", write_two_solids(x)}); };
   const Said inside = two("0.4 mm"), apart = two("20 mm");
   EXPECT_THAT(inside.out + inside.err, HasSubstr(step::say::kStartsInside.words(0) + "ring" + step::say::kStartsInside.words(1)));
   EXPECT_THAT(inside.out + inside.err, testing::ContainsRegex("[0-9.]+" + step::say::kStartsInside.words(2) + "hook"));
