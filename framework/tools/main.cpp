@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <functional>
 
@@ -343,9 +344,16 @@ int parse_and_run(int argc, char** argv) {
                          add_doctor, add_bench, add_attempts, add_needle, add_simulate_sensor, add_calibrate})
     add(app, a);
   add_school_verbs(app, a.chosen);
-  if (wrong_verb(app, argc, argv)) return kProblem;
+  std::vector<char*> words(argv, argv + argc);
+  char help[] = "--help";
+  // "help VERB" is "VERB --help", as people know it of other programs
+  if (argc >= 2 && !strcmp(argv[1], "help")) {
+    words.erase(words.begin() + 1);
+    words.push_back(help);
+  }
+  if (wrong_verb(app, argc, words.data())) return kProblem;
   try {
-    app.parse(argc, argv);
+    app.parse(argc, words.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     const auto chosen = app.get_subcommands();

@@ -50,6 +50,9 @@ TEST_F(Usage, HelpAndVersionAreAnswers) {
     EXPECT_THAT(said.out, HasSubstr(std::string("swage ") + verb));
   }
   EXPECT_THAT(swage({"--help"}).out, HasSubstr("Exit codes: 0 good, 1 not passed, 2 a problem."));
+  EXPECT_EQ(swage({"help"}).out, swage({"--help"}).out);
+  EXPECT_EQ(swage({"help", "attempts", "export"}).out, swage({"attempts", "export", "--help"}).out);
+  expect_refused({"help", "runn"}, say::kNoVerb("swage", "runn", host::did_you_mean("runn", {"run"})));
   EXPECT_EQ(swage({"--version"}).out, "swage 1.0.0\n");
 }
 
