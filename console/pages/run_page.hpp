@@ -60,6 +60,8 @@ class RunPage : public QWidget {
   SceneView* view() { return view_; }
   /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.
   void add_view(SceneView* view) { presenter_->add_view(view); }
+  /// Gives that view up, for something else to be shown in it.
+  void remove_view(SceneView* view) { presenter_->remove_view(view); }
   void set_placing(Placing placing) { options_.set_placing(std::move(placing)); }
   /// Reads the chosen instrument; nullptr while an attempt runs or no lesson is chosen.
   std::unique_ptr<ArmReader> make_arm_reader();

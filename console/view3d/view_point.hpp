@@ -54,6 +54,8 @@ class ViewPoint {
 
  private:
   void look_aside();
+  void look_past_tool();
+  QVector3D handle() const;
   float screen_scale() const;
 
   const SceneState& scene_;

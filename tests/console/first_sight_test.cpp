@@ -98,6 +98,31 @@ TEST_F(FirstSight, AResultLeadsToTheReviewAndTheNextLesson) {
   EXPECT_FALSE(page()->result()->isVisible());
 }
 
+TEST_F(FirstSight, TheKeysOfAResultDoWhatItsButtonsSay) {
+  script.rate = 100;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
+  EXPECT_TRUE(window->review_page()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(page()->result()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
+  EXPECT_TRUE(window->people_page()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(page()->result()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_EQ(log->started, 2);
+  ASSERT_TRUE(wait_for_end());
+  const QString before = page()->setup()->lesson();
+  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
+  const QString next = page()->setup()->lesson();
+  EXPECT_NE(next, before);
+  EXPECT_FALSE(page()->result()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NE(page()->setup()->lesson(), next) << "again and again";
+}
+
 TEST_F(FirstSight, StartSaysThatAnAttemptWaits) {
   run_to(0.5);
   EXPECT_EQ(child<QPushButton>("start")->text(), "Running…");
