@@ -135,9 +135,9 @@ QWidget* PersonPanel::make_attempts() {
   void_ = make_button(tr("Void…"), QStringLiteral("Ctrl+D"), QStringLiteral("void_attempt"), list.frame);
   void_->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
   connect(void_, &QPushButton::clicked, this, &PersonPanel::void_attempt);
-  give_ = make_button(tr("Give to…"), QStringLiteral("Ctrl+G"), QStringLiteral("give_attempt"), list.frame);
+  give_ = make_button(tr("Give to…"), QStringLiteral("Ctrl+Shift+G"), QStringLiteral("give_attempt"), list.frame);
   give_->setToolTip(tr("This attempt is another person's: a guest's, or of a name that was mistaken"));
-  give_key(give_, QStringLiteral("Ctrl+G"));
+  give_key(give_, QStringLiteral("Ctrl+Shift+G"));
   connect(give_, &QPushButton::clicked, this, &PersonPanel::give_attempt);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(void_);
