@@ -13,6 +13,12 @@
 #include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
+namespace {
+
+constexpr int kLeastCombo_px = 130;  // of lesson and metric on a small screen; the open list shows their whole names
+
+}  // namespace
+
 PersonPanel::PersonPanel(QWidget* parent)
     : QWidget(parent), attempts_(new AttemptsModel(this)), sorted_(new QSortFilterProxyModel(this)) {
   sorted_->setSourceModel(attempts_);
@@ -60,6 +66,7 @@ QWidget* PersonPanel::make_head() {
     c->setObjectName(name);
     c->setAccessibleName(label);
     c->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    c->setMinimumWidth(kLeastCombo_px);
     text->setBuddy(c);
     head->addWidget(text);
     head->addWidget(c);

@@ -206,6 +206,42 @@ TEST_F(GermanWindow, FitsSmallScreens) {
   }
 }
 
+// A page that is wider than the window hides its right side behind a scroll bar.
+TEST_F(GermanWindow, CoursesAndPeopleNeedNoSidewaysScrollingAt1024) {
+  with_school = true;
+  const auto school_of = [this](auto change) {
+    std::string error;
+    const auto school = record::School::open(school_file(), error);
+    ASSERT_TRUE(school) << error;
+    change(*school);
+  };
+  school_of([](record::School& school) {
+    record::Person one;
+    one.name = "Synthetic 13";
+    record::Course course;
+    course.title = "Grundkurs";
+    course.steps.resize(1);
+    course.steps[0].lesson_id = "test.lesson.grasp";
+    EXPECT_TRUE(school.put(one) && school.put(course)) << school.error();
+  });
+  open();
+  for (const char* id : {"courses", "people"}) {
+    window->show_page(QLatin1String(id));
+    EXPECT_TRUE(eventually([&] {
+      window->resize(1024, 768);
+      return window->size() == QSize(1024, 768);
+    }));
+    const QWidget* page = window->findChild<console::Pages*>()->current().widget;
+    QList<QScrollArea*> areas = page->findChildren<QScrollArea*>();
+    for (QWidget* up = page->parentWidget(); up; up = up->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(up)) areas += area;
+    EXPECT_GE(areas.size(), 2) << id;
+    for (const QScrollArea* area : areas)
+      EXPECT_TRUE(!area->isVisible() || eventually([&] { return area->horizontalScrollBar()->maximum() == 0; }))
+          << id << ": " << area->horizontalScrollBar()->maximum() << " px too wide";
+  }
+}
+
 // The insertion of a hanging needle has the most cues of all lessons without a thread, and the longest words.
 TEST_F(GermanWindow, CutsNoWordOfTheLegend) {
   open();
