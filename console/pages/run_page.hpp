@@ -13,10 +13,12 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "console/link/arm_reader.hpp"
 #include "console/link/run_control.hpp"
+#include "console/models/course_next.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
@@ -35,6 +37,9 @@ namespace swage::console {
 /// Enters a person, by name, in the store before an attempt is kept; nothing happens where the person is there. Returns why that failed,
 /// as a sentence; "" on success.
 using PersonAdder = std::function<QString(const QString& name)>;
+
+/// What a person's course asks next, by name; no value without a course.
+using CourseFinder = std::function<std::optional<CourseNext>(const QString& name)>;
 
 class RunPage : public QWidget {
   Q_OBJECT
@@ -71,6 +76,9 @@ class RunPage : public QWidget {
   void set_expert(ExpertOpener open);
   /// A person whom nobody entered would have the name as code, which exports say.
   void set_person_adder(PersonAdder add) { add_person_ = std::move(add); }
+  void set_course_finder(CourseFinder find) { find_course_ = std::move(find); }
+  /// Reads the course of the person again.
+  void show_course();
   /// Live help: a ghost of an expert's instruments in the picture, at the trainee's pace. Never in a test.
   void set_guided(bool on) { actions_->set_guide(on); }
   void click_guide() { actions_->click_guide(); }  // nothing while it is disabled
@@ -134,10 +142,15 @@ class RunPage : public QWidget {
   void update_cues();
   void show_finished();
   void forget_attempt();
+  void go_on();
+  int course_row() const;
+  QString step_in_course() const;
   void tell_subject();
 
   bool draws_seed_ = false;
   PersonAdder add_person_;
+  CourseFinder find_course_;
+  std::optional<CourseNext> course_;  // of the person
   RunControl* control_;
   LessonsModel* lessons_;
   StatusStrip* strip_;

@@ -16,6 +16,8 @@
 #include <QLocale>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTextBrowser>
 #include <QXmlStreamReader>
@@ -209,21 +211,18 @@ TEST_F(GermanWindow, FitsSmallScreens) {
 // A page that is wider than the window hides its right side behind a scroll bar.
 TEST_F(GermanWindow, CoursesAndPeopleNeedNoSidewaysScrollingAt1024) {
   with_school = true;
-  const auto school_of = [this](auto change) {
+  {
     std::string error;
     const auto school = record::School::open(school_file(), error);
     ASSERT_TRUE(school) << error;
-    change(*school);
-  };
-  school_of([](record::School& school) {
     record::Person one;
     one.name = "Synthetic 13";
     record::Course course;
     course.title = "Grundkurs";
     course.steps.resize(1);
     course.steps[0].lesson_id = "test.lesson.grasp";
-    EXPECT_TRUE(school.put(one) && school.put(course)) << school.error();
-  });
+    EXPECT_TRUE(school->add_person(one) && school->save_course(course)) << school->error();
+  }
   open();
   for (const char* id : {"courses", "people"}) {
     window->show_page(QLatin1String(id));
