@@ -802,10 +802,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Zuletzt da</translation>
     </message>
     <message>
-        <source>Needs attention</source>
-        <translation>Braucht Aufmerksamkeit</translation>
-    </message>
-    <message>
         <source>Lessons of the course</source>
         <translation>Lektionen des Kurses</translation>
     </message>
@@ -848,6 +844,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Median of the last scores: %1.</source>
         <translation>Median der letzten Punktzahlen: %1.</translation>
+    </message>
+    <message>
+        <source>▲ Needs attention: %1</source>
+        <translation>▲ Braucht Aufmerksamkeit: %1</translation>
     </message>
 </context>
 <context>

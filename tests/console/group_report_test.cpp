@@ -3,10 +3,15 @@
 // How the people of a group stand, and the page about it.
 #include <gtest/gtest.h>
 
+#include <QBuffer>
 #include <QFile>
+#include <QPainter>
+#include <QPdfWriter>
 
+#include "console/app/language.hpp"
 #include "console/models/course_next.hpp"
 #include "console/report/group_report.hpp"
+#include "console/report/sheet.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::console {
@@ -114,6 +119,35 @@ TEST(GroupRows, WhoNeedsAttentionComesFirst) {
 }
 
 class GroupReports : public WindowTest {};
+
+// A class with codes and reasons, in both languages.
+TEST_F(GroupReports, CutsNoWord) {
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(use_language(QString::fromLatin1(language)));
+    std::vector<record::AttemptRow> stuck;
+    for (const char* utc : {"2026-03-04T10:02:00Z", "2026-03-04T10:01:00Z", "2026-03-04T10:00:00Z"}) stuck.push_back(attempt("grasp", utc, false, 0));
+    GroupReport report{"Spring", "Basic", {"grasp", "carry"}, {}};
+    const record::Course basic = course();
+    for (int i = 0; i < 30; ++i) {
+      record::Person one = person("Maximiliane Oberhauser");
+      one.code = "7A880";
+      report.rows += group_row(one, i < 6 ? stuck : std::vector<record::AttemptRow>{}, &basic, kNow);
+    }
+    QBuffer out;
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    QPdfWriter pdf(&out);
+    pdf.setResolution(96);
+    pdf.setPageSize(QPageSize(QPageSize::A4));
+    pdf.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
+    QPainter painter(&pdf);
+    Sheet sheet(pdf, painter, QRectF(0, 0, pdf.width(), pdf.height()), "Spring", 1);
+    draw_group(sheet, report);
+    EXPECT_TRUE(sheet.cut().isEmpty()) << language << ": " << sheet.cut().join("; ").toStdString();
+    EXPECT_EQ(sheet.page(), 1) << language;
+  }
+  use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
 
 TEST_F(GroupReports, IsOnePageForAClass) {
   attempts = swage::test::sample_attempts();
