@@ -98,17 +98,18 @@ TEST_F(FirstSight, AResultLeadsToTheReviewAndTheNextLesson) {
   EXPECT_FALSE(page()->result()->isVisible());
 }
 
+// A button that is pressed by its key is shown as pressed for a tenth of a second first, and acts then.
 TEST_F(FirstSight, TheKeysOfAResultDoWhatItsButtonsSay) {
   script.rate = 100;
   open();
   click("start");
   ASSERT_TRUE(wait_for_end());
   QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
-  EXPECT_TRUE(window->review_page()->isVisible());
+  EXPECT_TRUE(eventually([&] { return window->review_page()->isVisible(); }));
   QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
   ASSERT_TRUE(page()->result()->isVisible());
   QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
-  EXPECT_TRUE(window->people_page()->isVisible());
+  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
   QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
   ASSERT_TRUE(page()->result()->isVisible());
   QTest::keyClick(window.get(), Qt::Key_F5);

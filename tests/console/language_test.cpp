@@ -229,7 +229,7 @@ TEST_F(GermanWindow, CoursesAndPeopleNeedNoSidewaysScrollingAt1024) {
     EXPECT_TRUE(eventually([&] {
       window->resize(1024, 768);
       return window->size() == QSize(1024, 768);
-    }));
+    })) << id << ": " << window->width() << " x " << window->height() << ", at least " << window->minimumSizeHint().width() << " x " << window->minimumSizeHint().height();
     const QWidget* page = window->findChild<console::Pages*>()->current().widget;
     QList<QScrollArea*> areas = page->findChildren<QScrollArea*>();
     for (QWidget* up = page->parentWidget(); up; up = up->parentWidget())

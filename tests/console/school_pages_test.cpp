@@ -370,7 +370,7 @@ TEST_F(SchoolPages, ACourseLeadsThroughItsLessonsToItsLastTest) {
   page()->setup()->select_lesson(1);
   ASSERT_TRUE(child<QPushButton>("to_course_lesson")->isVisible());
   press(Qt::Key_L);
-  EXPECT_TRUE(page()->setup()->lesson().contains("grasp"));
+  EXPECT_TRUE(eventually([&] { return page()->setup()->lesson().contains("grasp"); }));
   EXPECT_EQ(page()->setup()->mode(), "test");
   const auto pass = [this](const char* lesson) {
     QTest::keyClick(window.get(), Qt::Key_F5);
@@ -388,6 +388,7 @@ TEST_F(SchoolPages, ACourseLeadsThroughItsLessonsToItsLastTest) {
   EXPECT_EQ(next(), "Course 1: 2 of 2 lessons passed.");
   EXPECT_FALSE(child<QPushButton>("next_lesson")->isEnabled()) << "nothing is left";
   press(Qt::Key_P);
+  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
   EXPECT_EQ(child<QLabel>("person_name")->text(), "Chen W.");
 }
 
