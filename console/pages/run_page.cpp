@@ -6,6 +6,7 @@
 #include <QRandomGenerator>
 #include <QResizeEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "console/models/lesson_files.hpp"
 #include "console/models/metric_titles.hpp"
@@ -179,6 +180,12 @@ void RunPage::resizeEvent(QResizeEvent* event) {
   actions_->set_narrow(narrow);
   fold_bar();
   QWidget::resizeEvent(event);
+}
+
+// That of the slim panels: a page that is not in front is not resized, and would keep the window wide.
+QSize RunPage::minimumSizeHint() const {
+  const int slimmer = setup_->minimumWidth() - kSlimLessons_px + right_box_->minimumWidth() - kSlimSide_px;
+  return QWidget::minimumSizeHint() - QSize(std::max(0, slimmer), 0);
 }
 
 void RunPage::fold_bar() { bar_->fold_to(width() - setup_->maximumWidth() - right_box_->maximumWidth()); }

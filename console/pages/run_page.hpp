@@ -106,6 +106,7 @@ class RunPage : public QWidget {
   void show_instructor(bool on) { instructor_->show(on); }
 
  public:
+  QSize minimumSizeHint() const override;
   /// The keyboard goes to the instrument while an attempt runs, else to START: never to a field that takes letters.
   void take_focus();
   /// Controls that the person has used before: their hints are not shown again. "drag close drive open"
