@@ -56,6 +56,7 @@ class ViewPoint {
   void look_aside();
   void look_past_tool();
   QVector3D handle() const;
+  QVector3D shaft(uint32_t tool) const;
   float screen_scale() const;
 
   const SceneState& scene_;

@@ -59,7 +59,7 @@ snapshot::CardShape block(uint32_t body, const swage_vec3& low, const swage_vec3
 }
 
 // A ball of 1 mm at the origin in the tips of a holder 30 mm long; `yaw`: of its handle, 0 along x, rad; a wall stands behind on wish.
-bool side_is_from_behind(double yaw, bool walled) {
+bool side_is_from_behind(double yaw, bool walled, bool two_tools = false) {
   snapshot::SceneCard card;
   card.objects = {{"holder", "x", "1", {SWAGE_TRAIT_GRIPPER}, 0, 1, 0, 0}, {"ball", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 1, 1, 0, 0}};
   card.motion = {SWAGE_MOTION_FOLLOWS, SWAGE_MOTION_DYNAMIC};
@@ -77,6 +77,13 @@ bool side_is_from_behind(double yaw, bool walled) {
     card.start.push_back({{0, 0, 0}, {1, 0, 0, 0}});
     card.shapes.push_back(block(2, {-10e-3, 5e-3, -10e-3}, {10e-3, 6e-3, 10e-3}));
   }
+  if (two_tools) {  // the other comes from the opposite side, a little nearer to who looks from the front
+    const auto own = static_cast<uint32_t>(card.objects.size());
+    card.objects.push_back({"other", "x", "1", {SWAGE_TRAIT_GRIPPER}, own, 1, 0, 0});
+    card.motion.push_back(SWAGE_MOTION_FOLLOWS);
+    card.start.push_back({{0, -2e-3, 0}, {std::cos(yaw / 2), 0, 0, std::sin(yaw / 2)}});
+    card.shapes.push_back(block(own, {-32e-3, -0.3e-3, -0.3e-3}, {-2e-3, 0.3e-3, 0.3e-3}));
+  }
   SceneState scene;
   scene.set_card(card);
   ViewPoint point(scene);
@@ -88,6 +95,7 @@ TEST(SideView, IsFromWhereTheShaftDoesNotHideTheWork) {
   const double right_angle = std::numbers::pi / 2;
   EXPECT_TRUE(side_is_from_behind(-right_angle, false)) << "the handle points at who looks from the front";
   EXPECT_TRUE(side_is_from_behind(-1, false));
+  EXPECT_FALSE(side_is_from_behind(0, false, true)) << "neither of two points at the viewer";
   EXPECT_FALSE(side_is_from_behind(right_angle, false));
   EXPECT_FALSE(side_is_from_behind(0, false)) << "it is seen from the side";
   EXPECT_FALSE(side_is_from_behind(-right_angle, true)) << "a wall hides more";
