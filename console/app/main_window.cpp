@@ -71,7 +71,7 @@ Pages* MainWindow::make_middle() {
 void MainWindow::make_parts(Pages* pages, Services& services) {
   const SharedModels models{&lessons_, &store_, &desk_, stations_};
   pages_ = std::make_unique<WindowPages>(services, models, strip_, pages, nullptr);
-  trainee_ = std::make_unique<TraineePlace>(run_page(), settings_, this);
+  trainee_ = std::make_unique<TraineePlace>(pages_.get(), settings_, this);
   place_ = std::make_unique<WindowPlace>(this, settings_);
   theme_ = std::make_unique<WindowTheme>(pages_.get(), settings_);
   memory_ = std::make_unique<RunMemory>(pages_.get(), &lessons_, settings_);
@@ -112,7 +112,7 @@ void MainWindow::fill_top_bar() {
   row->addStretch(1);
   auto* trainee =
       make_keyed_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
-  trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
+  trainee->setToolTip(tr("The scene for two eyes in a window of its own; on the Review page, the replay (F9)"));
   connect(trainee, &QPushButton::clicked, trainee_.get(), &TraineePlace::toggle);
   row->addWidget(trainee);
   auto* eyes = make_button(tr("Eyes…"), {}, QStringLiteral("trainee_options"), bar);

@@ -64,6 +64,7 @@ bool Pages::go(const QString& id) {
   buttons_[i]->setChecked(true);
   edits_.setActiveStack(at->edits);
   if (at->shown) at->shown();
+  Q_EMIT gone_to(id);
   return true;
 }
 

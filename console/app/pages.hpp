@@ -47,6 +47,10 @@ class Pages : public QWidget {
   QWidget* bar_widget() { return bar_frame_; }
   QUndoGroup* edits() { return &edits_; }
 
+ Q_SIGNALS:
+  /// Another page, or the same one again, has come to the front.
+  void gone_to(const QString& id);
+
  private:
   QFrame* bar_frame_;
   QHBoxLayout* bar_;

@@ -9,10 +9,13 @@
 
 namespace swage::console {
 
-TraineePlace::TraineePlace(RunPage* run, Settings& settings, QWidget* window)
-    : run_(run), settings_(settings), parent_(window), station_(read_station(settings)), look_(read_trainee_look(settings)) {
+TraineePlace::TraineePlace(const WindowPages* pages, Settings& settings, QWidget* window)
+    : pages_(pages), run_(pages->run()), settings_(settings), parent_(window), station_(read_station(settings)), look_(read_trainee_look(settings)) {
   look_.stereo.true_size = station_.size;
   run_->set_placing([this](const std::string& device) { return place_hand(device); });
+  connect(pages->all(), &Pages::gone_to, this, &TraineePlace::choose_scene);
+  connect(pages->review(), &ReviewPage::opened, this, &TraineePlace::choose_scene);
+  connect(run_->control(), &RunControl::state_changed, this, &TraineePlace::choose_scene);
 }
 
 TraineePlace::~TraineePlace() = default;
@@ -20,7 +23,8 @@ TraineePlace::~TraineePlace() = default;
 void TraineePlace::show() {
   if (!window_) {
     window_ = std::make_unique<TraineeWindow>();
-    run_->add_view(window_->view());
+    replays_.reset();
+    choose_scene();
     connect(window_->view(), &SceneView::microscope_zoomed, this, [this](float zoom) { look_.stereo.microscope.zoom = zoom; });
     // the window is deleted within its own signal
     connect(window_.get(), &TraineeWindow::closed, this, [this] {
@@ -31,6 +35,24 @@ void TraineePlace::show() {
   window_->show_as(look_);
   Q_EMIT shown();
   if (form_) form_->set_open(true);
+}
+
+// An attempt that runs comes first, whatever page is in front: the trainee sees what the hand does.
+void TraineePlace::choose_scene() {
+  if (!window_) return;
+  const bool reviewing = pages_->all()->current().id == QLatin1String("review") && pages_->review()->player();
+  const bool replay = reviewing && !run_->control()->running();
+  if (replays_ == replay) return;
+  SceneView* view = window_->view();
+  if (replay) {
+    run_->remove_view(view);
+    pages_->review()->add_view(view);
+  } else {
+    pages_->review()->remove_view(view);
+    run_->add_view(view);
+  }
+  replays_ = replay;
+  window_->setWindowTitle(replay ? tr("Swage, trainee: replay") : tr("Swage, trainee"));
 }
 
 void TraineePlace::show_with(StereoLayout layout) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The trainee's place beside the main window: the scene in a window of its own, its layout, and the station's measurements, by which hand
-// and tool coincide. The layout is kept in the settings. [main]
+// and tool coincide. The layout is kept in the settings. While the Review page is in front and no attempt runs, the window shows the
+// attempt that is reviewed. [main]
 #pragma once
 
 #include <QObject>
@@ -13,7 +14,7 @@
 #include "console/app/settings.hpp"
 #include "console/app/station.hpp"
 #include "console/app/trainee_window.hpp"
-#include "console/pages/run_page.hpp"
+#include "console/app/window_pages.hpp"
 
 namespace swage::console {
 
@@ -22,8 +23,8 @@ class StationDialog;
 class TraineePlace : public QObject {
   Q_OBJECT
  public:
-  /// `run`: page whose attempt is shown and whose device is placed. `window`: parent of the dialogs. All outlive this object.
-  TraineePlace(RunPage* run, Settings& settings, QWidget* window);
+  /// `pages`: whose attempts are shown, and whose Run page has the device that is placed. `window`: parent of the dialogs. All outlive this.
+  TraineePlace(const WindowPages* pages, Settings& settings, QWidget* window);
   ~TraineePlace() override;
 
   /// The trainee's window; nullptr while it is closed.
@@ -46,13 +47,16 @@ class TraineePlace : public QObject {
   void show_mark(const std::optional<QPointF>& at_mm);
   void take_station();
   std::optional<Placement> place_hand(const std::string& device);
+  void choose_scene();
 
+  const WindowPages* pages_;
   RunPage* run_;
   Settings& settings_;
   QWidget* parent_;
   Station station_;
   TraineeLook look_;
   std::unique_ptr<TraineeWindow> window_;
+  std::optional<bool> replays_;  // whether the window shows the attempt under review; no value for a new window
   TraineeSettings* form_ = nullptr;
   StationDialog* station_dialog_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "console/app/calibration_dialog.hpp"
+#include "console/models/people_courses.hpp"
 
 namespace swage::console {
 
@@ -27,6 +28,7 @@ void WindowPages::add_run(Services& services, StatusStrip* strip) {
   run_ = new RunPage(std::move(services.open_session), models_.lessons, strip, all_);
   run_->set_expert(std::move(services.open_expert));
   run_->set_person_adder([this](const QString& name) { return enter_person(name); });
+  run_->set_course_finder([this](const QString& name) { return course_of(name); });
   all_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, [this] { enter_run(); },
              [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
   connect(models_.store, &StoreLink::recovered, this, [this](int n) {
@@ -139,6 +141,16 @@ QString WindowPages::enter_person(const QString& name) {
   RosterLine line;
   line.name = name;
   return models_.desk->add_people({line}) ? QString() : models_.desk->problem();
+}
+
+std::optional<CourseNext> WindowPages::course_of(const QString& name) const {
+  record::School* school = models_.desk->school();
+  const std::shared_ptr<record::Store> store = models_.store->store();
+  record::Person person;
+  if (!school || !store || !school->find_person(name.toStdString(), person)) return {};
+  const std::vector<record::Course> courses = courses_of_any(*school, {person});
+  if (courses.empty()) return {};
+  return course_next(courses, store->attempts(person.id, ""));
 }
 
 const SceneView* WindowPages::shown_view() const {

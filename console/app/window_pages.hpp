@@ -55,6 +55,7 @@ class WindowPages : public QObject {
   void set_metric_finder();
   void enter_run();
   QString enter_person(const QString& name);
+  std::optional<CourseNext> course_of(const QString& name) const;
   QVector<LessonMetric> metrics_of(const QString& lesson_id) const;
 
   SharedModels models_;

@@ -106,8 +106,10 @@ QString LiveParam::least_text() const {
 }
 
 bool LiveParam::is_range() const {
-  return param.type == SWAGE_PARAM_VECTOR && param.dimension == 2 && param.default_number[0] < param.default_number[1];
+  return param.type == SWAGE_PARAM_VECTOR && param.dimension == 2 && (param.flags & SWAGE_PARAM_INTERVAL) != 0;
 }
+
+bool LiveParam::is_size() const { return param.type == SWAGE_PARAM_VECTOR && param.dimension == 2 && !is_range(); }
 
 QVector<LiveParam::Entry> LiveParam::entries() const {
   QVector<Entry> out;

@@ -33,8 +33,9 @@ struct LiveParam {
   /// What the least value stands for, to be shown in its place: of "... 0: as the model says." in the documentation "as the model says",
   /// in the language of the window. "" where it is a value like any other.
   QString least_text() const;
-  /// True for a range, whose two numbers are its ends: their defaults ascend. A size over x and y is no range.
+  /// Two numbers, as the parameter's table says: the ends of a range, or sizes along two axes.
   bool is_range() const;
+  bool is_size() const;
   /// The choices for a list. Fractions of one value, such as 1/4 and 2/8, are one entry that names both.
   struct Entry {
     QString words;

@@ -101,7 +101,7 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   for (const int i : angle_ < 0 ? tilt_ : QVector<int>()) {
     if (held && r.force.value_or(1) > 0) r.tilt = std::max(r.tilt.value_or(0), std::abs(signal(i)));
   }
-  // the four grasp meanings combine two yes/no facts
+  // the grasp meanings combine two yes/no facts; that of a tilt says that both are right
   for (uint32_t o = 0; o < s.n_object; ++o) {
     const uint32_t cue = s.object_cue[o];
     if (cue >= static_cast<uint32_t>(cues_.size())) continue;
@@ -110,7 +110,7 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
     if (meaning == QLatin1String("grasp.wrong")) r.spot = false, r.tips = false;
     if (meaning == QLatin1String("grasp.tips_only")) r.spot = false, r.tips = true;
     if (meaning == QLatin1String("grasp.point_only")) r.spot = true, r.tips = false;
-    if (meaning == QLatin1String("grasp.good")) r.spot = true, r.tips = true;
+    if (meaning == QLatin1String("grasp.good") || meaning == QLatin1String("grasp.tilted")) r.spot = true, r.tips = true;
   }
   for (uint32_t m = 0; m < s.n_mark; ++m) {
     if (s.mark_cue[m] < static_cast<uint32_t>(cues_.size()))

@@ -50,7 +50,18 @@ void AttemptPresenter::add_view(SceneView* view) {
   if (have_card_) view->set_card(card_, preset_);
   view->set_instrument(first->instrument());
   view->set_cues_shown(first->cues_shown());
+  view->set_texts(first->words().clock, first->words().banner);
+  view->set_task(first->words().task);
   guide_.show_in(view);
+}
+
+void AttemptPresenter::remove_view(SceneView* view) {
+  if (view == views_.first() || !views_.removeOne(view)) return;
+  disconnect(view, nullptr, this, nullptr);
+  disconnect(view, nullptr, control_, nullptr);
+  view->set_ghost(nullptr);
+  view->set_instrument(false);
+  view->set_control_hints({});
 }
 
 void AttemptPresenter::add_panels(NowPanel* now, CueLegend* legend, For reader) {

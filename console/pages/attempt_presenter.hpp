@@ -44,6 +44,8 @@ class AttemptPresenter : public QObject {
 
   /// Adds a picture of the attempt, until the view is destroyed. The first is the page's own, further ones show the same scene.
   void add_view(SceneView* view);
+  /// Gives up a picture that was added, for something else to be shown in it. Not for the first one.
+  void remove_view(SceneView* view);
   enum class For { kTrainee, kInstructor };  // a test hides answers from the trainee only
   /// Adds readings and cues beside the pictures; they outlive the presenter. The first are the page's own, further ones are set to the
   /// present scene.

@@ -66,7 +66,10 @@ void CoursesPage::show_problem(const QString& why) {
   problem_->show();
 }
 
-void CoursesPage::resizeEvent(QResizeEvent*) { rule_->set_narrow(width() < kNarrow_px); }
+void CoursesPage::resizeEvent(QResizeEvent*) {
+  rule_->set_narrow(width() < kNarrow_px);
+  limits_->set_narrow(width() < kNarrow_px);
+}
 
 void CoursesPage::hideEvent(QHideEvent*) { problem_->hide(); }
 

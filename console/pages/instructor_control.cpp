@@ -9,7 +9,9 @@
 
 namespace swage::console {
 
-InstructorControl::InstructorControl(const Parts& parts) : QObject(parts.page), parts_(parts) {}
+InstructorControl::InstructorControl(const Parts& parts) : QObject(parts.page), parts_(parts) {
+  connect(parts.control, &RunControl::frame, this, &InstructorControl::watch);
+}
 
 void InstructorControl::set_subject(const QString& words) {
   subject_ = words;
@@ -41,8 +43,20 @@ bool InstructorControl::ask() {
   return box.clickedButton() == show && in_test();
 }
 
+void InstructorControl::tell_open() {
+  if (std::exchange(were_open_, true)) return;
+  parts_.control->note(tr("The readings were open on the trainee's screen.").toStdString());
+}
+
+// Either window may have been moved.
+void InstructorControl::watch() {
+  if (agreed_ || !in_test() || !shown() || window_->screen() != trainees_screen()) return;
+  tell_open();
+  show(false);
+}
+
 void InstructorControl::begin() {
-  were_open_ = false;
+  were_open_ = agreed_ = false;
   if (parts_.presenter->is_test() && shown() && !go_elsewhere()) show(false);
 }
 
@@ -54,9 +68,8 @@ void InstructorControl::show(bool on) {
     window_->set_subject(subject_);
   }
   if (on && !shown() && in_test() && !go_elsewhere()) {
-    on = ask();
-    if (on && !std::exchange(were_open_, true))
-      parts_.control->note(tr("The readings were open on the trainee's screen.").toStdString());
+    on = agreed_ = ask();
+    if (on) tell_open();
   }
   if (window_) window_->setVisible(on);
   parts_.bar->set_instructor(on);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // When the instructor's window is shown. During a test it opens on a screen that the trainee does not see; where there is no such screen it
-// asks first, and then the record and the result tell that the readings were open. [main]
+// asks first, and then the record and the result tell that the readings were open. If it comes onto the trainee's screen in another way, as
+// when it is dragged there, it is closed, and they tell the same. [main]
 #pragma once
 
 #include <QAbstractItemModel>
@@ -38,11 +39,13 @@ class InstructorControl : public QObject {
   QScreen* trainees_screen() const;
   bool go_elsewhere();
   bool ask();
+  void watch();
+  void tell_open();
 
   Parts parts_;
   InstructorWindow* window_ = nullptr;
   QString subject_;
-  bool were_open_ = false;
+  bool were_open_ = false, agreed_ = false;  // in this attempt
 };
 
 }  // namespace swage::console

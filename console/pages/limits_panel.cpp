@@ -68,24 +68,31 @@ void LimitsPanel::make_table(QWidget* parent) {
 }
 
 QLayout* LimitsPanel::make_buttons(QWidget* parent) {
-  auto* row = new QHBoxLayout;
+  constexpr int kLeastMetric = 18;  // letters; the open list shows all
+  row_ = new QBoxLayout(QBoxLayout::LeftToRight);
   metric_ = new QComboBox(parent);
+  metric_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  metric_->setMinimumContentsLength(kLeastMetric);
   metric_->setObjectName(QStringLiteral("limit_metric"));
   metric_->setAccessibleName(tr("Metric to limit"));
   metric_->setPlaceholderText(tr("The metrics of this lesson are not known here"));
-  row->addWidget(metric_, 1);
+  row_->addWidget(metric_, 1);
+  auto* buttons = new QHBoxLayout;
   const auto add = [&](const QString& words, const char* key, const char* name, void (LimitsPanel::*call)()) {
     auto* button = make_button(words, {}, QString::fromLatin1(name), parent);
     if (call == &LimitsPanel::suggest) button->setToolTip(tr("Each limit such that all but the worst tenth of the experts' attempts keep it"));
     give_key(button, QString::fromLatin1(key));
     connect(button, &QPushButton::clicked, this, call);
-    row->addWidget(button);
+    buttons->addWidget(button);
   };
   add(tr("Add limit"), "Ctrl+M", "add_limit", &LimitsPanel::add_limit);
   add(tr("Remove limit"), "Ctrl+Shift+M", "remove_limit", &LimitsPanel::remove_limit);
   add(tr("From experts"), "Ctrl+E", "suggest_limits", &LimitsPanel::suggest);
-  return row;
+  row_->addLayout(buttons);
+  return row_;
 }
+
+void LimitsPanel::set_narrow(bool narrow) { row_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight); }
 
 // with the limit whose number is being typed as the last row
 void LimitsPanel::fill() {

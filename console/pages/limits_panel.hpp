@@ -3,6 +3,7 @@
 // The limits of a course's lesson, besides its own verdict: a table whose numbers are typed, or taken from experts.
 #pragma once
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
 #include <QTableWidget>
@@ -20,6 +21,8 @@ class LimitsPanel : public QWidget {
   LimitsPanel(CourseEditing* editing, QWidget* parent);
   /// Shows the limits of the chosen lesson.
   void refresh();
+  /// On a narrow screen the list of metrics stands above the buttons.
+  void set_narrow(bool narrow);
 
  Q_SIGNALS:
   /// Why nothing was changed.
@@ -40,6 +43,7 @@ class LimitsPanel : public QWidget {
   QTableWidget* table_ = nullptr;
   QLabel* together_ = nullptr;
   QComboBox* metric_ = nullptr;
+  QBoxLayout* row_ = nullptr;
 };
 
 }  // namespace swage::console

@@ -66,6 +66,19 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
   });
 }
 
+// The buttons stand below group and count where a line of both would break the count into a strip of single words, as on a small screen.
+void PeoplePage::fold_head() {
+  constexpr int kGaps_px = 90;  // heading's margins and spaces
+  const int line = group_->sizeHint().width() + count_->fontMetrics().horizontalAdvance(count_->text()) +
+                   count_->fontMetrics().horizontalAdvance(tr("People")) + kGaps_px + buttons_->sizeHint().width();
+  head_->setDirection(line > width() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void PeoplePage::resizeEvent(QResizeEvent* event) {
+  fold_head();
+  QWidget::resizeEvent(event);
+}
+
 // looks for changes by other programs and stations, while the page is visible
 void PeoplePage::look() {
   if (isVisible() && link_->changed()) refresh();
@@ -73,6 +86,7 @@ void PeoplePage::look() {
 
 QWidget* PeoplePage::make_people() {
   Card card = make_card({}, this);
+  head_ = new QBoxLayout(QBoxLayout::LeftToRight);
   auto* head = new QHBoxLayout;
   head->addWidget(make_heading(tr("People"), card.frame));
   group_ = new QComboBox(card.frame);
@@ -90,8 +104,12 @@ QWidget* PeoplePage::make_people() {
   head->addWidget(group_);
   count_ = make_muted({}, card.frame);
   head->addWidget(count_, 1);
-  add_buttons(head, card.frame);
-  card.body->addLayout(head);
+  head_->addLayout(head, 1);
+  auto* buttons = new QHBoxLayout;
+  add_buttons(buttons, card.frame);
+  buttons_ = buttons;
+  head_->addLayout(buttons_);
+  card.body->addLayout(head_);
   problem_ = make_muted({}, card.frame);
   problem_->setObjectName(QStringLiteral("people_problem"));
   problem_->hide();
@@ -241,6 +259,7 @@ void PeoplePage::show_count() {
   QString words = all == 1 ? tr("1 person") : tr("%1 people").arg(all);
   if (listed < all) words = tr("%1 of %2 people").arg(listed).arg(all);
   count_->setText(listed > 1 ? tr("%1, those who need attention first").arg(words) : words);
+  fold_head();
 }
 
 void PeoplePage::select_person(const QString& name) {

@@ -46,10 +46,14 @@ class PeoplePage : public QWidget {
  Q_SIGNALS:
   void run_lesson();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* make_people();
   QWidget* make_empty();
   void add_buttons(QHBoxLayout* row, QWidget* parent);
+  void fold_head();
   void fill_groups();
   void look();
   void show_empty(const QString& words);
@@ -75,6 +79,7 @@ class PeoplePage : public QWidget {
   PersonPanel* person_ = nullptr;
   PeopleEdits* edits_ = nullptr;
   PeopleFiles* files_ = nullptr;
+  QBoxLayout *head_ = nullptr, *buttons_ = nullptr;
   QLabel *empty_ = nullptr, *count_ = nullptr, *problem_ = nullptr;
   QComboBox* group_ = nullptr;
   QHash<QString, QString> groups_;  // name by id

@@ -13,6 +13,12 @@
 #include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
+namespace {
+
+constexpr int kLeastCombo_px = 130;  // of lesson and metric on a small screen; the open list shows their whole names
+
+}  // namespace
+
 PersonPanel::PersonPanel(QWidget* parent)
     : QWidget(parent), attempts_(new AttemptsModel(this)), sorted_(new QSortFilterProxyModel(this)) {
   sorted_->setSourceModel(attempts_);
@@ -60,6 +66,7 @@ QWidget* PersonPanel::make_head() {
     c->setObjectName(name);
     c->setAccessibleName(label);
     c->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    c->setMinimumWidth(kLeastCombo_px);
     text->setBuddy(c);
     head->addWidget(text);
     head->addWidget(c);
@@ -135,9 +142,9 @@ QWidget* PersonPanel::make_attempts() {
   void_ = make_button(tr("Void…"), QStringLiteral("Ctrl+D"), QStringLiteral("void_attempt"), list.frame);
   void_->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
   connect(void_, &QPushButton::clicked, this, &PersonPanel::void_attempt);
-  give_ = make_button(tr("Give to…"), QStringLiteral("Ctrl+G"), QStringLiteral("give_attempt"), list.frame);
+  give_ = make_button(tr("Give to…"), QStringLiteral("Ctrl+Shift+G"), QStringLiteral("give_attempt"), list.frame);
   give_->setToolTip(tr("This attempt is another person's: a guest's, or of a name that was mistaken"));
-  give_key(give_, QStringLiteral("Ctrl+G"));
+  give_key(give_, QStringLiteral("Ctrl+Shift+G"));
   connect(give_, &QPushButton::clicked, this, &PersonPanel::give_attempt);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(void_);

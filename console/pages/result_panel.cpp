@@ -67,10 +67,14 @@ void ResultPanel::add_points(const Card& card) {
   points_heading_ = make_heading(tr("Points lost"), card.frame);
   kept_ = make_muted({}, card.frame);
   kept_->setObjectName(QStringLiteral("kept"));
+  course_ = make_muted({}, card.frame);
+  course_->setObjectName(QStringLiteral("result_course"));
+  course_->hide();
   problems_ = make_muted({}, card.frame);
   card.body->addWidget(points_heading_);
   card.body->addLayout(points_);
   card.body->addWidget(kept_);
+  card.body->addWidget(course_);
   card.body->addWidget(problems_);
 }
 
@@ -120,6 +124,11 @@ void ResultPanel::add_criteria(const Card& card) {
   criteria_->setTextFormat(Qt::RichText);
   criteria_->hide();
   card.body->addWidget(criteria_);
+}
+
+void ResultPanel::set_course(const QString& words) {
+  course_->setText(words);
+  course_->setVisible(!words.isEmpty());
 }
 
 void ResultPanel::set_criteria(const Criteria& asked) {

@@ -27,6 +27,8 @@ class ResultPanel : public QWidget {
   /// Active time that costs no points, s; 0 where the lesson says none. For the next result.
   void set_free_time(double time_s) { free_time_s_ = time_s; }
   void set_can_go_on(bool next) { next_->setEnabled(next); }
+  /// How far the person is with this lesson in a course; "" without one.
+  void set_course(const QString& words);
   /// What the lesson asks, to be read beside what was reached.
   void set_criteria(const Criteria& asked);
   QString outcome() const { return outcome_->text(); }
@@ -56,7 +58,7 @@ class ResultPanel : public QWidget {
   QString attempt_;
   double free_time_s_ = 0;
   QString points_title(const session::Result& result, const std::string& id) const;
-  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
+  QLabel *outcome_, *reason_, *kept_, *course_, *problems_, *points_heading_;
   QGridLayout *metrics_, *points_, *more_;
   QLabel* criteria_;
   QWidget* more_box_;

@@ -241,12 +241,14 @@ bool ReviewPage::open_file(const QString& file) {
 bool ReviewPage::show_opened(const QString& problem) {
   if (!problem.isEmpty()) {
     show_problem(problem);
+    Q_EMIT opened();
     return false;
   }
   playback_.set_length(review().length_s, review().dt_s);
   transport_->loop()->setChecked(false);
   show_review();
   go(0);
+  Q_EMIT opened();
   return true;
 }
 

@@ -39,6 +39,9 @@ class ReviewPage : public QWidget {
   const Review& review() const { return attempt_.review(); }
   Timeline* timeline() { return timeline_; }
   SceneView* view() { return pictures_->view(); }
+  /// Another view of the attempt, a trainee's: nothing without a player.
+  void add_view(SceneView* view) { pictures_->add_view(view); }
+  void remove_view(SceneView* view) { pictures_->remove_view(view); }
   const Player* player() const { return attempt_.player(); }
   bool playing() const { return playback_.playing(); }
   /// Sets the desk for notes; without it none can be made. It outlives the page.
@@ -64,6 +67,8 @@ class ReviewPage : public QWidget {
 
  Q_SIGNALS:
   void back();
+  /// Another attempt was opened, or could not be.
+  void opened();
   /// A saved attempt is to be opened.
   void ask_file();
 

@@ -19,6 +19,7 @@ ReviewPictures::ReviewPictures(const ReviewedAttempt& attempt, QWidget* parent)
   view_->setObjectName(QStringLiteral("review_view"));
   view_->setAccessibleName(tr("The attempt, replayed"));
   view_->set_whole_width(kWholeShape);
+  views_ = {view_};
   row_ = new QHBoxLayout;
   row_->setSpacing(8);
   row_->addWidget(view_, 1);
@@ -31,17 +32,45 @@ void ReviewPictures::set_themes(const UiTheme& ui, const CueTheme& cues) {
   ui_ = ui;
   cues_ = cues;
   if (other_) other_->set_themes(ui, cues);
-  view_->set_themes(ui, cues);
+  for (SceneView* view : views_) view->set_themes(ui, cues);
 }
 
 void ReviewPictures::show_scene() {
   if (!attempt_.player()) return;
   reading_ = Reader(attempt_.player()->card());
-  view_->set_card(attempt_.player()->card(), CameraPreset::kOrbit);
+  for (SceneView* view : views_) dress(view);
+}
+
+// The whole scene with its cues, also of a test: it is over.
+void ReviewPictures::dress(SceneView* view) {
+  view->set_card(attempt_.player()->card(), CameraPreset::kOrbit);
+  if (view == view_) return;
+  view->set_cues_shown(true);
+  view->set_task(tr("Replay: %1").arg(attempt_.review().title()));
+}
+
+void ReviewPictures::add_view(SceneView* view) {
+  if (!attempt_.player() || views_.contains(view)) return;
+  views_ += view;
+  connect(view, &QObject::destroyed, this, [this, view] { views_.removeOne(view); });
+  view->set_themes(ui_, cues_);
+  dress(view);
+  set_ghost();
+  show_player(wanted_s_);
+}
+
+void ReviewPictures::remove_view(SceneView* view) {
+  if (view == view_ || !views_.removeOne(view)) return;
+  disconnect(view, nullptr, this, nullptr);
+  view->set_hold(0);
+  view->set_card({});
+  view->set_texts({}, {});
+  view->set_task({});
 }
 
 bool ReviewPictures::toward(double wanted_s, uint64_t most) {
   bool there = true;
+  wanted_s_ = wanted_s;
   if (Player* player = attempt_.player()) {
     there = player->toward(static_cast<uint64_t>(std::llround(wanted_s / attempt_.review().dt_s)), most);
     show_player(wanted_s);
@@ -54,15 +83,18 @@ bool ReviewPictures::toward(double wanted_s, uint64_t most) {
 void ReviewPictures::show_player(double wanted_s) {
   const Player& player = *attempt_.player();
   player.fill(*snapshot_);
-  view_->show_snapshot(*snapshot_);
   const Reading reading = reading_.read(*snapshot_);
-  view_->set_hold(reading.hold.value_or(0));
   Q_EMIT cues_on(reading.meanings);
   QString clock = clock_text(snapshot_->time_s);
   // a large jump takes seconds to compute
   constexpr double kBehind_s = 1;
   if (std::abs(wanted_s - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s));
-  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});
+  if (!reading.phase.isEmpty()) clock = QStringLiteral("%1  %2").arg(said(reading.phase), clock);
+  for (SceneView* view : views_) {
+    view->show_snapshot(*snapshot_);
+    view->set_hold(reading.hold.value_or(0));
+    view->set_texts(clock, {});
+  }
   const uint64_t first = player.first_difference();
   if (first < player.count()) Q_EMIT differs(static_cast<double>(first) * attempt_.review().dt_s);
 }
@@ -95,12 +127,13 @@ QString ReviewPictures::compare(const QString& attempt_id) {
 // Shows the other attempt's instruments in this one's picture, on the shifted clock.
 void ReviewPictures::set_ghost() {
   const bool wanted = attempt_.player() && comparing() && other_->ghost_wanted();
-  view_->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());
+  for (SceneView* view : views_) view->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());
   move_ghost();
 }
 
 void ReviewPictures::move_ghost() {
-  if (comparing() && other_->ghost_wanted()) view_->show_ghost(other_->X_WB());
+  if (!comparing() || !other_->ghost_wanted()) return;
+  for (SceneView* view : views_) view->show_ghost(other_->X_WB());
 }
 
 void ReviewPictures::toggle_ghost() {
@@ -118,7 +151,7 @@ void ReviewPictures::end_comparison() {
 bool ReviewPictures::comparing() const { return other_ && !other_->isHidden(); }
 
 void ReviewPictures::look(CameraPreset preset) {
-  view_->look(preset);
+  for (SceneView* view : views_) view->look(preset);
   if (comparing()) other_->view()->look(preset);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QHBoxLayout>
+#include <QList>
 #include <QWidget>
 #include <memory>
 
@@ -35,6 +36,9 @@ class ReviewPictures : public QWidget {
   void toggle_ghost();
 
   SceneView* view() { return view_; }
+  /// Another view of the attempt, a trainee's; it shows the attempt until it is removed or destroyed.
+  void add_view(SceneView* view);
+  void remove_view(SceneView* view);
   void look(CameraPreset preset);
 
  Q_SIGNALS:
@@ -48,6 +52,7 @@ class ReviewPictures : public QWidget {
 
  private:
   void show_player(double wanted_s);
+  void dress(SceneView* view);
   void set_ghost();
   void move_ghost();
 
@@ -57,6 +62,8 @@ class ReviewPictures : public QWidget {
   UiTheme ui_;
   CueTheme cues_;
   SceneView* view_;
+  QList<SceneView*> views_;  // the page's own first
+  double wanted_s_ = 0;
   QHBoxLayout* row_;
   QVBoxLayout* column_;
   Comparison* other_ = nullptr;  // made on first use

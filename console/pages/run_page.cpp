@@ -6,6 +6,7 @@
 #include <QRandomGenerator>
 #include <QResizeEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "console/models/lesson_files.hpp"
 #include "console/models/metric_titles.hpp"
@@ -66,7 +67,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
 // Ctrl+Right also works again and again while nothing runs; during an attempt it belongs to the picture.
 void RunPage::add_keys() {
   next_ = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Right), this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-  connect(next_, &QShortcut::activated, setup_, &SetupPanel::select_next);
+  connect(next_, &QShortcut::activated, this, &RunPage::go_on);
 }
 
 QWidget* RunPage::make_middle() {
@@ -121,6 +122,7 @@ void RunPage::connect_setup() {
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
   for (const auto changed : {&SetupPanel::mode_changed, &SetupPanel::lesson_changed, &SetupPanel::person_chosen})
     connect(setup_, changed, this, &RunPage::tell_subject);
+  connect(setup_, &SetupPanel::person_chosen, this, &RunPage::show_course);
   // a verdict of another lesson is gone at once, the new scene comes when the list rests
   connect(setup_, &SetupPanel::lesson_changed, this, [this] {
     if (!control_->running() && shown_lesson_ != setup_->lesson()) forget_attempt();
@@ -155,7 +157,7 @@ void RunPage::connect_control() {
   connect(result_, &ResultPanel::again, this, &RunPage::start);
   connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
   connect(result_, &ResultPanel::review, this, &RunPage::review);
-  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
+  connect(result_, &ResultPanel::next, this, &RunPage::go_on);
 }
 
 void RunPage::connect_bars() {
@@ -178,6 +180,12 @@ void RunPage::resizeEvent(QResizeEvent* event) {
   actions_->set_narrow(narrow);
   fold_bar();
   QWidget::resizeEvent(event);
+}
+
+// That of the slim panels: a page that is not in front is not resized, and would keep the window wide.
+QSize RunPage::minimumSizeHint() const {
+  const int slimmer = setup_->minimumWidth() - kSlimLessons_px + right_box_->minimumWidth() - kSlimSide_px;
+  return QWidget::minimumSizeHint() - QSize(std::max(0, slimmer), 0);
 }
 
 void RunPage::fold_bar() { bar_->fold_to(width() - setup_->maximumWidth() - right_box_->maximumWidth()); }
@@ -348,10 +356,34 @@ void RunPage::show_finished() {
   else
     result_->show_result(r, control_->card(), !r.attempt_id.empty(), instructor_->were_open());
   result_->set_criteria(asked_);
-  result_->set_can_go_on(setup_->has_next());
+  result_->set_course({});
   right_->setCurrentWidget(result_);
   presenter_->end(r.simulated_s, result_->outcome());
-  Q_EMIT attempt_over();
+  Q_EMIT attempt_over();  // after which the course is read again, with this attempt
+  const QString of_course = step_in_course();
+  if (!of_course.isEmpty() && !asked_.show) result_->set_course(tr("In the course: %1.").arg(of_course));
+  result_->set_can_go_on(setup_->has_next() || course_row() >= 0);
+}
+
+// The row of the lesson that the person's course asks for next; -1 without one.
+int RunPage::course_row() const { return course_ && !course_->lesson_id.isEmpty() ? lessons_->row_of(course_->lesson_id) : -1; }
+
+// How far the person is with the shown lesson; "" where it is of no course of theirs.
+QString RunPage::step_in_course() const {
+  const int row = lessons_->row_of(shown_lesson_);
+  return course_ && row >= 0 ? course_->steps.value(lessons_->at(row).id) : QString();
+}
+
+void RunPage::show_course() {
+  course_ = find_course_ ? find_course_(setup_->person()) : std::nullopt;
+  setup_->set_course(course_ ? course_->words : QString(), course_row());
+}
+
+// From the result of a lesson of a course to the one that the course asks for next, else down the list.
+void RunPage::go_on() {
+  const int row = course_row(), now = lessons_->row_of(setup_->lesson());
+  const bool of_course = right_->currentWidget() == result_ && !step_in_course().isEmpty();
+  of_course && row >= 0 && row != now ? setup_->select_lesson(row) : setup_->select_next();
 }
 
 // who does which lesson, and in which mode, in the instructor's window

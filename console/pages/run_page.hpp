@@ -13,10 +13,12 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "console/link/arm_reader.hpp"
 #include "console/link/run_control.hpp"
+#include "console/models/course_next.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
@@ -35,6 +37,9 @@ namespace swage::console {
 /// Enters a person, by name, in the store before an attempt is kept; nothing happens where the person is there. Returns why that failed,
 /// as a sentence; "" on success.
 using PersonAdder = std::function<QString(const QString& name)>;
+
+/// What a person's course asks next, by name; no value without a course.
+using CourseFinder = std::function<std::optional<CourseNext>(const QString& name)>;
 
 class RunPage : public QWidget {
   Q_OBJECT
@@ -60,6 +65,8 @@ class RunPage : public QWidget {
   SceneView* view() { return view_; }
   /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.
   void add_view(SceneView* view) { presenter_->add_view(view); }
+  /// Gives that view up, for something else to be shown in it.
+  void remove_view(SceneView* view) { presenter_->remove_view(view); }
   void set_placing(Placing placing) { options_.set_placing(std::move(placing)); }
   /// Reads the chosen instrument; nullptr while an attempt runs or no lesson is chosen.
   std::unique_ptr<ArmReader> make_arm_reader();
@@ -69,6 +76,9 @@ class RunPage : public QWidget {
   void set_expert(ExpertOpener open);
   /// A person whom nobody entered would have the name as code, which exports say.
   void set_person_adder(PersonAdder add) { add_person_ = std::move(add); }
+  void set_course_finder(CourseFinder find) { find_course_ = std::move(find); }
+  /// Reads the course of the person again.
+  void show_course();
   /// Live help: a ghost of an expert's instruments in the picture, at the trainee's pace. Never in a test.
   void set_guided(bool on) { actions_->set_guide(on); }
   void click_guide() { actions_->click_guide(); }  // nothing while it is disabled
@@ -96,6 +106,7 @@ class RunPage : public QWidget {
   void show_instructor(bool on) { instructor_->show(on); }
 
  public:
+  QSize minimumSizeHint() const override;
   /// The keyboard goes to the instrument while an attempt runs, else to START: never to a field that takes letters.
   void take_focus();
   /// Controls that the person has used before: their hints are not shown again. "drag close drive open"
@@ -132,10 +143,15 @@ class RunPage : public QWidget {
   void update_cues();
   void show_finished();
   void forget_attempt();
+  void go_on();
+  int course_row() const;
+  QString step_in_course() const;
   void tell_subject();
 
   bool draws_seed_ = false;
   PersonAdder add_person_;
+  CourseFinder find_course_;
+  std::optional<CourseNext> course_;  // of the person
   RunControl* control_;
   LessonsModel* lessons_;
   StatusStrip* strip_;

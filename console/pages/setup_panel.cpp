@@ -43,6 +43,7 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
   column->addWidget(start_);
   connect(start_, &QPushButton::clicked, this, &SetupPanel::start);
   update_start();
+  update_course();
 }
 
 QWidget* SetupPanel::make_who() {
@@ -64,6 +65,18 @@ QWidget* SetupPanel::make_who() {
   };
   connect(person_, &QComboBox::activated, this, leave, Qt::QueuedConnection);  // queued: this Enter does not press START
   connect(person_->lineEdit(), &QLineEdit::returnPressed, this, &SetupPanel::focus_start, Qt::QueuedConnection);
+  course_ = make_muted({}, card.frame);
+  course_->setObjectName(QStringLiteral("course_next"));
+  card.body->addWidget(course_);
+  to_course_ = make_keyed_button(tr("To that lesson"), QStringLiteral("Ctrl+L"), QStringLiteral("to_course_lesson"), card.frame);
+  to_course_->setToolTip(tr("Chooses the next lesson of the course, in Test: only tests count there"));
+  give_key(to_course_, QStringLiteral("Ctrl+L"));
+  connect(to_course_, &QPushButton::clicked, this, [this] {
+    select_lesson(course_row_);
+    set_mode(QStringLiteral("test"));
+    focus_start();
+  });
+  card.body->addWidget(to_course_);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));
   left_->setToolTip(tr("Mirrors the whole lesson, hand and picture; kept with the attempt"));
@@ -102,6 +115,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   connect(lessons_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     fill_devices();
     update_start();
+    update_course();
     Q_EMIT lesson_changed();
   });
   connect(lessons_, &QListView::activated, this, &SetupPanel::start);
@@ -284,6 +298,7 @@ void SetupPanel::set_running(bool running, bool paused) {
   for (QWidget* w : std::initializer_list<QWidget*>{person_, left_, lessons_}) w->setEnabled(!running);
   update_modes();
   update_start();
+  update_course();
 }
 
 void SetupPanel::set_startable(bool on) {
@@ -303,6 +318,18 @@ void SetupPanel::update_modes() {
                     : test_by_hand ? tr("Cues and readings are hidden, and limits end the attempt. A recorded hand's attempt counts for nobody.")
                                    : modes_->checkedButton()->toolTip());
   device_->setEnabled(!running_ && modes_->checkedId() != 2);
+}
+
+void SetupPanel::set_course(const QString& words, int row) {
+  course_->setText(words);
+  course_row_ = row;
+  update_course();
+}
+
+void SetupPanel::update_course() {
+  course_->setVisible(!course_->text().isEmpty());
+  to_course_->setVisible(!course_->text().isEmpty() && course_row_ >= 0 && course_row_ != lessons_->currentIndex().row());
+  to_course_->setEnabled(!running_);
 }
 
 bool SetupPanel::has_next() const {

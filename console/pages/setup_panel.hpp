@@ -52,6 +52,8 @@ class SetupPanel : public QWidget {
   bool startable() const { return startable_; }
   /// True for a demonstration, which has no modes.
   void set_show(bool show);
+  /// What the person's course asks next, and the row of that lesson, -1 for none; "" without a course.
+  void set_course(const QString& words, int row);
   bool has_next() const;
   void select_next();
 
@@ -72,6 +74,7 @@ class SetupPanel : public QWidget {
   void fill_devices();
   QString lesson_device() const;
   void update_start();
+  void update_course();
 
   QComboBox *person_, *device_;
   QCheckBox* left_ = nullptr;
@@ -82,7 +85,9 @@ class SetupPanel : public QWidget {
   QStringList known_;
   QString wanted_device_, own_instrument_;  // wanted_device_: "" is the lesson's first choice
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
-  QLabel* explain_ = nullptr;
+  QLabel *explain_ = nullptr, *course_ = nullptr;
+  QPushButton* to_course_ = nullptr;
+  int course_row_ = -1;
   void update_modes();
 };
 

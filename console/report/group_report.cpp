@@ -13,7 +13,6 @@ namespace swage::console {
 namespace {
 
 constexpr double kHeading_px = 90;  // height of a heading and some lines below it
-constexpr double kFewestForFlag = 0.2, kFewestForName = 0.14;  // shares of the width
 const QColor kGrey(80, 80, 80);
 
 class GroupWords {
@@ -33,33 +32,35 @@ QStringList cells_of(const GroupRow& row, bool of_course) {
           lessons,
           row.attempts == 0 ? QStringLiteral("–") : GroupWords::tr("%1, %2 passed").arg(row.attempts).arg(row.passed),
           row.last_score ? QString::number(*row.last_score, 'f', 0) : QStringLiteral("–"),
-          day_words(row.last_utc),
-          row.flag.isEmpty() ? QString() : QStringLiteral("▲ ") + row.flag};
+          day_words(row.last_utc)};
 }
 
-/// Each column as wide as its longest text; names give way where too little would be left for the reasons in the last column.
+/// Each column but the names as wide as its longest text.
 QVector<double> shares_of(const Sheet& sheet, const QStringList& heads, const QVector<QStringList>& rows) {
-  QVector<double> shares;
+  QVector<double> shares = {0};
   double sum = 0;
-  for (int c = 0; c + 1 < heads.size(); ++c) {
+  for (int c = 1; c < heads.size(); ++c) {
     double share = sheet.share_of(heads[c], true);
     for (const QStringList& row : rows) share = std::max(share, sheet.share_of(row[c], false));
     shares += share;
     sum += share;
   }
-  const double over = std::clamp(sum - (1 - kFewestForFlag), 0.0, std::max(0.0, shares[0] - kFewestForName));
-  shares[0] -= over;
-  return shares << std::max(0.0, 1 - sum + over);
+  shares[0] = std::max(0.0, 1 - sum);
+  return shares;
 }
 
+// The reason of who needs attention has a line of its own: beside the numbers there is too little room for it.
 void add_people(Sheet& sheet, const GroupReport& r) {
-  const QStringList heads = {GroupWords::tr("Name"),       GroupWords::tr("Lessons passed"), GroupWords::tr("Attempts"),
-                             GroupWords::tr("Last score"), GroupWords::tr("Last seen"),      GroupWords::tr("Needs attention")};
-  QVector<QStringList> rows;
-  for (const GroupRow& row : r.rows) rows += cells_of(row, !r.course.isEmpty());
-  const QVector<double> shares = shares_of(sheet, heads, rows);
+  const QStringList heads = {GroupWords::tr("Name"), GroupWords::tr("Lessons passed"), GroupWords::tr("Attempts"), GroupWords::tr("Last score"),
+                             GroupWords::tr("Last seen")};
+  QVector<QStringList> cells;
+  for (const GroupRow& row : r.rows) cells += cells_of(row, !r.course.isEmpty());
+  const QVector<double> shares = shares_of(sheet, heads, cells);
   sheet.row(heads, shares, true);
-  for (const QStringList& row : rows) sheet.row(row, shares, false);
+  for (int i = 0; i < cells.size(); ++i) {
+    const QString& flag = r.rows[i].flag;
+    sheet.row(cells[i], shares, false, flag.isEmpty() ? QString() : GroupWords::tr("▲ Needs attention: %1").arg(flag));
+  }
 }
 
 // a lesson that few have passed is the hurdle of the course
@@ -76,7 +77,9 @@ void add_lessons(Sheet& sheet, const GroupReport& r) {
   }
 }
 
-void draw(Sheet& sheet, const GroupReport& r) {
+}  // namespace
+
+void draw_group(Sheet& sheet, const GroupReport& r) {
   sheet.text(r.title, 18, true);
   const QString what = r.course.isEmpty() ? GroupWords::tr("All lessons") : r.course;
   sheet.text(GroupWords::tr("%1, %2").arg(what, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, kGrey);
@@ -91,8 +94,6 @@ void draw(Sheet& sheet, const GroupReport& r) {
                  GroupWords::tr("Attempts that count: by the person's own hand, ended by themselves, not void. Last score: of the newest passed one."),
              8, false, kGrey);
 }
-
-}  // namespace
 
 QString group_words(const GroupReport& r) {
   int flagged = 0, passed = 0;
@@ -116,7 +117,7 @@ QString group_words(const GroupReport& r) {
 
 QString write_group_report(const GroupReport& report, const QString& file) {
   const QString title = report.course.isEmpty() ? report.title : report.title + QStringLiteral(", ") + report.course;
-  return write_sheet(file, title, [&](Sheet& sheet) { draw(sheet, report); });
+  return write_sheet(file, title, [&](Sheet& sheet) { draw_group(sheet, report); });
 }
 
 }  // namespace swage::console

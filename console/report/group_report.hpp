@@ -18,6 +18,11 @@ struct GroupReport {
   QVector<GroupRow> rows;
 };
 
+class Sheet;
+
+/// Draws the report from where the sheet is.
+void draw_group(Sheet& sheet, const GroupReport& report);
+
 /// Writes A4 pages for printing in grey: one page for up to about thirty people. Returns "" or the error.
 QString write_group_report(const GroupReport& report, const QString& file);
 

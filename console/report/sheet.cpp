@@ -15,6 +15,7 @@ constexpr int kDpi = 96;  // resolution at which widgets draw as on a screen
 constexpr double kMargin_mm = 18, kLine_px = 20;
 constexpr double kRow_pt = 9;                      // size of a table's text
 constexpr double kGap_px = 6, kBetween_px = 14;  // least and usual space behind a cell
+constexpr double kBelow_px = 4;  // by which a line below the cells stands nearer to them than a row of its own
 constexpr double kFooter_px = 26;  // space below every page's text: a line and text of 8 points
 const QColor kFooterGrey(80, 80, 80);
 
@@ -97,7 +98,13 @@ void Sheet::widget(QWidget& w, double height) {
   y_ += height + 8;
 }
 
-void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bool bold) {
+void Sheet::draw_cell(const QString& words, double x, double width) {
+  const QString text = p_.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(width - kGap_px));
+  if (text != words) cut_ += words;
+  p_.drawText(QRectF(x, y_, width - kGap_px, kLine_px), Qt::AlignLeft | Qt::AlignVCenter, text);
+}
+
+void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bool bold, const QString& below) {
   QFont font = p_.font();
   font.setPointSizeF(kRow_pt);
   font.setBold(bold);
@@ -106,11 +113,15 @@ void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bo
   double x = page_.left();
   for (int i = 0; i < cells.size(); ++i) {
     const double w = shares[i] * page_.width();
-    p_.drawText(QRectF(x, y_, w - kGap_px, kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
-                p_.fontMetrics().elidedText(cells[i], Qt::ElideRight, static_cast<int>(w - kGap_px)));
+    draw_cell(cells[i], x, w);
     x += w;
   }
   y_ += kLine_px;
+  if (!below.isEmpty()) {
+    y_ -= kBelow_px;
+    draw_cell(below, page_.left() + kBetween_px, page_.width() - kBetween_px);
+    y_ += kLine_px;
+  }
   p_.setPen(QPen(QColor(200, 200, 200), 0.5));
   p_.drawLine(QPointF(page_.left(), y_), QPointF(page_.right(), y_));
 }
@@ -122,12 +133,12 @@ double Sheet::share_of(const QString& words, bool bold) const {
   return (std::ceil(QFontMetricsF(font, &device_).horizontalAdvance(words)) + kBetween_px) / page_.width();
 }
 
-void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold) {
+void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold, const QString& below) {
   const int before = number_;
-  keep(bold ? 2 * kLine_px : kLine_px);  // a table's head needs a row below it on the page
+  keep(bold || !below.isEmpty() ? 2 * kLine_px : kLine_px);  // a table's head needs a row below it on the page
   if (bold) head_ = cells, head_shares_ = shares;
-  if (!bold && number_ != before && !head_.isEmpty()) draw_row(head_, head_shares_, true);
-  draw_row(cells, shares, bold);
+  if (!bold && number_ != before && !head_.isEmpty()) draw_row(head_, head_shares_, true, {});
+  draw_row(cells, shares, bold, below);
 }
 
 QString write_sheet(const QString& file, const QString& title, const std::function<void(Sheet&)>& draw) {

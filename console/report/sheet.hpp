@@ -20,8 +20,10 @@ class Sheet {
   void text(const QString& words, double points, bool bold = false, const QColor& colour = Qt::black);
   void gap(double px) { y_ += px; }
   void widget(QWidget& w, double height);
-  /// `shares`: of the width, one per cell. A bold row is a table's head.
-  void row(const QStringList& cells, const QVector<double>& shares, bool bold);
+  /// `shares`: of the width, one per cell. A bold row is a table's head. `below`: a line of its own under the cells, of their row; "" for none.
+  void row(const QStringList& cells, const QVector<double>& shares, bool bold, const QString& below = {});
+  /// Cells for which there was too little room.
+  const QStringList& cut() const { return cut_; }
   /// Begins a new page unless `px` are free on this one: a heading stays with the content below it.
   void keep(double px);
   double room() const { return page_.bottom() - y_; }  // px, free on this page
@@ -34,7 +36,8 @@ class Sheet {
  private:
   void turn();
   void footer();
-  void draw_row(const QStringList& cells, const QVector<double>& shares, bool bold);
+  void draw_row(const QStringList& cells, const QVector<double>& shares, bool bold, const QString& below);
+  void draw_cell(const QString& words, double x, double width);
 
   QPagedPaintDevice& device_;
   QPainter& p_;
@@ -42,7 +45,7 @@ class Sheet {
   QString title_;
   int pages_, number_ = 1;
   double y_;
-  QStringList head_;
+  QStringList head_, cut_;
   QVector<double> head_shares_;
 };
 

@@ -682,6 +682,33 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>course_next</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>%1 Test attempts counted, learning-curve test at %L2 of %L3</source>
+        <translation>%1 Testversuche gezählt, Lernkurventest bei %L2 von %L3</translation>
+    </message>
+    <message>
+        <source>only the first %1 Test attempts of a later day are missing, %2 done</source>
+        <translation>es fehlen nur die ersten %1 Testversuche eines späteren Tages, davon %2 erbracht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 Test attempts in a row</source>
+        <translation>%1 von %2 Testversuchen in Folge</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 lessons passed.</source>
+        <translation>%1: %2 von %3 Lektionen bestanden.</translation>
+    </message>
+    <message>
+        <source>Next: %1, %2.</source>
+        <translation>Als Nächstes: %1, %2.</translation>
+    </message>
+</context>
+<context>
     <name>course_words</name>
     <message>
         <source>▲ %1</source>
@@ -775,10 +802,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Zuletzt da</translation>
     </message>
     <message>
-        <source>Needs attention</source>
-        <translation>Braucht Aufmerksamkeit</translation>
-    </message>
-    <message>
         <source>Lessons of the course</source>
         <translation>Lektionen des Kurses</translation>
     </message>
@@ -821,6 +844,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Median of the last scores: %1.</source>
         <translation>Median der letzten Punktzahlen: %1.</translation>
+    </message>
+    <message>
+        <source>▲ Needs attention: %1</source>
+        <translation>▲ Braucht Aufmerksamkeit: %1</translation>
     </message>
 </context>
 <context>
@@ -2706,6 +2733,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>to </source>
         <translation>bis </translation>
     </message>
+    <message>
+        <source>by </source>
+        <translation>mal </translation>
+    </message>
 </context>
 <context>
     <name>swage::console::MainWindow</name>
@@ -2724,10 +2755,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Trainee view</source>
         <translation>Trainee</translation>
-    </message>
-    <message>
-        <source>The scene for two eyes in a window of its own (F9)</source>
-        <translation>Die Szene für zwei Augen in einem eigenen Fenster (F9)</translation>
     </message>
     <message>
         <source>Settings of the trainee view</source>
@@ -2756,6 +2783,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Quit</source>
         <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The scene for two eyes in a window of its own; on the Review page, the replay (F9)</source>
+        <translation>Die Szene für zwei Augen in einem eigenen Fenster; auf der Seite Auswertung die Wiedergabe (F9)</translation>
     </message>
 </context>
 <context>
@@ -3802,6 +3833,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>%1, on the way to %2</source>
         <translation>%1, unterwegs nach %2</translation>
     </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>Wiedergabe: %1</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::ReviewSide</name>
@@ -4140,6 +4175,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>○ No lessons</source>
         <translation>○ Keine Lektionen</translation>
+    </message>
+    <message>
+        <source>In the course: %1.</source>
+        <translation>Im Kurs: %1.</translation>
     </message>
 </context>
 <context>
@@ -4518,6 +4557,14 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Cues and readings are hidden, and limits end the attempt. A recorded hand&apos;s attempt counts for nobody.</source>
         <translation>Hinweise und Messwerte sind verborgen, und Grenzen beenden den Versuch. Der Versuch einer aufgezeichneten Hand zählt für niemanden.</translation>
+    </message>
+    <message>
+        <source>To that lesson</source>
+        <translation>Zu dieser Lektion</translation>
+    </message>
+    <message>
+        <source>Chooses the next lesson of the course, in Test: only tests count there</source>
+        <translation>Wählt die nächste Lektion des Kurses, als Test: Dort zählen nur Tests</translation>
     </message>
 </context>
 <context>
@@ -5087,6 +5134,17 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>the cross is the first puncture</source>
         <translation>das Kreuz ist der erste Einstich</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::TraineePlace</name>
+    <message>
+        <source>Swage, trainee: replay</source>
+        <translation>Swage, Trainee: Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Swage, trainee</source>
+        <translation>Swage, Trainee</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kPoints = 33;         // of an arc: 0.1 mm apart on a needle of 3 mm
 constexpr float kStraight = 1e-3F;  // height over chord below which a wire counts as straight
+constexpr float kClosed = 1e-4F;  // square of the gap between both ends over that to the middle: a ring is no needle, and has no point to lead
 
 using Line = std::vector<QVector3D>;  // mm, world, from the point to the swage
 
@@ -56,7 +57,7 @@ float distance(const Line& line, const QVector3D& p) {
 // of the triangle of a, b, c, from a: ((|v|^2 u - |u|^2 v) x ...) / 2 |u x v|^2, u and v from a to b and c
 std::optional<NeedleCircle> through(const QVector3D& a, const QVector3D& b, const QVector3D& c) {
   const QVector3D u = b - a, v = c - a, w = QVector3D::crossProduct(u, v);
-  if (w.length() < kStraight * v.lengthSquared()) return {};
+  if (v.lengthSquared() < kClosed * u.lengthSquared() || w.length() < kStraight * v.lengthSquared()) return {};
   const QVector3D to_centre = (QVector3D::crossProduct(w, u) * v.lengthSquared() +
                                QVector3D::crossProduct(v, w) * u.lengthSquared()) /
                               (2 * w.lengthSquared());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/view3d/panels.hpp"
 
+#include <QVector4D>
 #include <algorithm>
 #include <cmath>
 
@@ -187,6 +188,17 @@ QSize PanelLayout::canvas() const {
 double PanelLayout::mm_per_pixel() const {
   const Panel first = panels().front();
   return first.view.eye.mm_per_pixel(first.size.height());
+}
+
+bool PanelLayout::shows_tips(const Panel& panel) const {
+  if (scene_.parts().tips.empty()) return false;
+  const QVector4D p = panel.view.eye.projection * panel.view.eye.view() * QVector4D(scene_.middle_of_tips(), 1);
+  return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) <= p.w();
+}
+
+Panel PanelLayout::moved_in(const QPointF& position) const {
+  const Panel panel = at(position);
+  return held() || panel.inset == Inset::kNone || shows_tips(panel) ? panel : panels().front();
 }
 
 Panel PanelLayout::at(const QPointF& position) const {

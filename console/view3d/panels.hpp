@@ -47,6 +47,9 @@ class PanelLayout {
 
   std::vector<Panel> panels() const;
   Panel at(const QPointF& position) const;
+  /// The panel in whose plane a drag or the wheel at this place moves the tips: the panel there, or the first one where a close-up does not
+  /// show the tips, which it would move by nearly nothing, and unseen.
+  Panel moved_in(const QPointF& position) const;
   /// Size of the renderer's picture, px: all panels side by side.
   QSize canvas() const;
   /// Of the first panel, in the focal plane.
@@ -56,6 +59,7 @@ class PanelLayout {
   /// `share`: of the full size of an inset.
   QRectF corner_at(int corner, double shape, double share = 1) const;
   Panel loupe() const;
+  bool shows_tips(const Panel& panel) const;
   Change fit_loupe();
   Change choose_corner(const QVector3D& tips, const QVector3D& aim);
   Change choose_loupe_corner();

@@ -65,8 +65,8 @@ void SceneInput::used(const char* what) {
   Q_EMIT control_used(name);
 }
 
-// directions refer to the panel under the pointer
-void SceneInput::look_from(const QPointF& position) { input_.set_camera(panels_.at(position).view.eye.q_WC()); }
+// directions refer to the panel under the pointer, as far as it shows the tips
+void SceneInput::look_from(const QPointF& position) { input_.set_camera(panels_.moved_in(position).view.eye.q_WC()); }
 
 // the tips follow the pointer in every view and at every magnification
 swage_pointer SceneInput::moved(const QPointF& from, const QPointF& to) {
@@ -104,7 +104,7 @@ void SceneInput::press(QMouseEvent* event) {
   last_mouse_ = event->position();
   widget_->setFocus();
   if (!instrument_ || moves_camera(*event)) return;
-  if (!panels_.held()) panels_.hold(panels_.at(last_mouse_).inset);
+  if (!panels_.held()) panels_.hold(panels_.moved_in(last_mouse_).inset);
   look_from(last_mouse_);
   const swage_pointer out = input_.buttons(*event);
   tell_circle(out);

@@ -2,7 +2,8 @@
 //
 // Mouse and keys over the picture. Usually they move the camera. While an instrument is driven by the mouse, all
 // events are the instrument's; only Ctrl with the left button (and Ctrl+Shift with the wheel) still moves the
-// camera. A drag moves the instrument in the plane of the panel that it began in. [main]
+// camera. A drag moves the instrument in the plane of the panel that it began in; over a close-up that does not show the tips, in that of the
+// whole picture. [main]
 #pragma once
 
 #include <QObject>

@@ -26,7 +26,7 @@ bool meets(const Bounds& box, const QVector3D& from, const QVector3D& along) {
 
 bool hidden(const SceneParts& parts, std::span<const swage_pose> X_WB, const QVector3D& at, const QVector3D& to_viewer) {
   return std::any_of(parts.part.begin(), parts.part.end(), [&](const ScenePart& part) {
-    if ((part.role != Role::kStage && !part.soft) || part.in_world() || part.body >= X_WB.size()) return false;
+    if ((part.role != Role::kStage && !part.soft) || part.wire || part.in_world() || part.body >= X_WB.size()) return false;
     Bounds box;
     for (const Vertex& v : part.mesh.vertex) box.add({v.p[0], v.p[1], v.p[2]});
     if (box.empty()) return false;

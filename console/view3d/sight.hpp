@@ -11,7 +11,7 @@
 namespace swage::console {
 
 /// Whether the box of a fixed or soft part lies between a place and a distant viewer. `at`: mm, world; `to_viewer`: unit,
-/// world. Boxes are aligned with the parts' own frames; tools, needles, threads and marks are ignored.
+/// world. Boxes are aligned with the parts' own frames; tools, wires, which leave their boxes nearly empty, threads and marks are ignored.
 bool hidden(const SceneParts& parts, std::span<const swage_pose> X_WB, const QVector3D& at, const QVector3D& to_viewer);
 
 }  // namespace swage::console

@@ -17,9 +17,11 @@ constexpr float kMoved_mm = 0.02F;  // smallest motion of a mark that the camera
 constexpr float kAnywhere_mm = 1e6F;
 constexpr float kStands = 0.7F;           // horizontal part of the needle plane's normal; below it the needle lies flat
 constexpr float kBehindTool = 0.3F;       // cosine between view direction and tool: above it the tool stands in the way
+constexpr float kAtViewer = 0.7F;             // the same of a shaft before other work, at 45 deg: below it one looks past it
 constexpr float kRoundNeedle = 2;         // in radii of the needle's curve: needle and the marks beside it stay clear
 constexpr float kJaws_mm = 4;             // depth before the needle: jaws within it are shown, the joint and the shaft behind are cut away
 constexpr float kFromTheFront_deg = -90;  // a person at a station sits before the scene
+constexpr float kFromBehind_deg = 90;
 
 QVector3D middle_of(const Mesh& mesh) {
   Bounds own;
@@ -60,19 +62,42 @@ bool ViewPoint::look_near() {
 // something hides the needle, such as the flap to be pierced, the camera looks from the front.
 void ViewPoint::look_aside() {
   if (preset_ != CameraPreset::kSide || !scene_.have_card()) return;
-  const QVector3D tips = scene_.middle_of_tips();
-  const auto circle = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), tips, kAnywhere_mm);
-  if (!circle) return;
+  const auto circle = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips(), kAnywhere_mm);
+  if (!circle) return look_past_tool();
   QVector3D level(circle->axis.x(), circle->axis.y(), 0);
   if (level.length() < kStands) return;
-  QVector3D handle;  // direction of the handle, from the tips
-  for (const ScenePart& part : scene_.parts().part)
-    if (part.role == Role::kTool && part.chain < 0) handle += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
-  const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
+  const float away = QVector3D::dotProduct(level.normalized(), handle());
   const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
   if (other_side) level = -level;
   if (hidden(scene_.parts(), scene_.X_WB(), circle->centre, level.normalized())) return;
   camera.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
+}
+
+// Direction from the tips to the handles of the tools; 0 0 0 where they come from all sides.
+QVector3D ViewPoint::handle() const {
+  const QVector3D tips = scene_.middle_of_tips();
+  QVector3D sum;
+  for (const ScenePart& part : scene_.parts().part)
+    if (part.role == Role::kTool && part.chain < 0) sum += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
+  return sum.normalized();
+}
+
+// Direction of a tool's shaft, from its tips.
+QVector3D ViewPoint::shaft(uint32_t tool) const {
+  QVector3D tips, sum;
+  const std::vector<Spot>& spots = scene_.parts().tips_of.at(tool);
+  for (const Spot& s : spots) tips += scene_.place_of(s) / static_cast<float>(spots.size());
+  for (const ScenePart& part : scene_.parts().part)
+    if (part.role == Role::kTool && part.chain < 0 && part.object == tool) sum += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
+  return sum.normalized();
+}
+
+// Other work than a needle is seen from the front, or where a shaft points at the viewer there and hides what its tips hold, from behind.
+void ViewPoint::look_past_tool() {
+  const QVector3D front(0, -1, 0), work = scene_.watched().value_or(scene_.middle_of_tips());
+  const auto& tools = scene_.parts().tips_of;
+  const bool hides = std::any_of(tools.begin(), tools.end(), [&](const auto& t) { return QVector3D::dotProduct(front, shaft(t.first)) > kAtViewer; });
+  if (hides && !hidden(scene_.parts(), scene_.X_WB(), work, -front)) camera.look_from(kFromBehind_deg);
 }
 
 ClearSight ViewPoint::clear_sight() const {

@@ -54,6 +54,9 @@ class ViewPoint {
 
  private:
   void look_aside();
+  void look_past_tool();
+  QVector3D handle() const;
+  QVector3D shaft(uint32_t tool) const;
   float screen_scale() const;
 
   const SceneState& scene_;

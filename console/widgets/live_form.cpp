@@ -130,6 +130,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
   box->setSpecialValueText(p.least_text());
   if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
   if (p.is_range()) box->setPrefix(component == 0 ? tr("from ") : tr("to "));
+  if (p.is_size() && component == 1) box->setPrefix(tr("by "));
   box->setValue(start * factor);
   box->setKeyboardTracking(false);  // while "0.25" is typed, neither 0 nor 0.2 is set
   connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });

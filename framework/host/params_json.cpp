@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array kTypes = {"real", "integer", "bool", "choice", "text", "vector", "file"};
 
-constexpr std::array<std::pair<const char*, uint32_t>, 3> kFlags = {
-    {{"live", SWAGE_PARAM_LIVE}, {"required", SWAGE_PARAM_REQUIRED}, {"hidden", SWAGE_PARAM_HIDDEN}}};
+constexpr std::array<std::pair<const char*, uint32_t>, 4> kFlags = {
+    {{"live", SWAGE_PARAM_LIVE}, {"required", SWAGE_PARAM_REQUIRED}, {"hidden", SWAGE_PARAM_HIDDEN}, {"interval", SWAGE_PARAM_INTERVAL}}};
 
 // JSON has no infinity; an open end of a range is null
 Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

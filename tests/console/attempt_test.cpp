@@ -4,11 +4,13 @@
 // under Xvfb with it.
 #include <QAbstractButton>
 #include <QDir>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
+#include <QScreen>
 #include <QTimer>
 
 #include "console/models/attempts_model.hpp"
@@ -84,6 +86,78 @@ TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
   click("stop");
   ASSERT_TRUE(wait_for_end());
   EXPECT_FALSE(child<QLabel>("kept")->text().contains("readings were open")) << "of that attempt alone";
+}
+
+TEST_F(AttemptOnPage, InATestReadingsThatComeOntoTheTraineesScreenAreClosedAndTold) {
+  script.rate = 20;
+  script.end_s = 0;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  page()->show_instructor(true);
+  child<QAbstractButton>("test")->click();
+  click("start");
+  auto* readings = child<QWidget>("instructor_window");
+  readings->show();  // as when it is dragged back
+  EXPECT_TRUE(eventually([&] { return !readings->isVisible(); }));
+  EXPECT_FALSE(child<QPushButton>("instructor")->isChecked());
+  ASSERT_EQ(log->noted.size(), 1u);
+  EXPECT_NE(log->noted.front().find("readings were open"), std::string::npos);
+  ask_for_readings(true);
+  ASSERT_TRUE(page()->instructor_shown());
+  ASSERT_TRUE(wait_for_time(control()->newest()->time_s + 2));
+  EXPECT_TRUE(page()->instructor_shown()) << "agreed to";
+  EXPECT_EQ(log->noted.size(), 1u) << "told once";
+  click("stop");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_TRUE(child<QLabel>("kept")->text().contains("readings were open")) << child<QLabel>("kept")->text().toStdString();
+}
+
+// Run with a second screen by console.two_screens.
+class TwoScreens : public AttemptOnPage {
+ protected:
+  void begin_test() {
+    if (QGuiApplication::screens().size() < 2) GTEST_SKIP() << "there is one screen";
+    script.rate = 20;
+    script.end_s = 0;
+    open();
+    ASSERT_TRUE(wait_for_preview());
+    page()->show_instructor(true);
+    child<QAbstractButton>("test")->click();
+    click("start");
+    readings = child<QWidget>("instructor_window");
+    ASSERT_TRUE(wait_for_time(2));
+    ASSERT_TRUE(readings->isVisible()) << "the trainee does not see it";
+    ASSERT_NE(readings->screen(), window->screen());
+    ASSERT_TRUE(log->noted.empty()) << log->noted.front();
+  }
+  void expect_told() {
+    EXPECT_TRUE(eventually([&] { return !readings->isVisible(); }));
+    ASSERT_FALSE(log->noted.empty());
+    EXPECT_NE(log->noted.front().find("readings were open"), std::string::npos);
+    click("stop");
+    ASSERT_TRUE(wait_for_end());
+    EXPECT_TRUE(child<QLabel>("kept")->text().contains("readings were open"));
+  }
+  QWidget* readings = nullptr;
+};
+
+TEST_F(TwoScreens, ReadingsThatAreDraggedBackAreClosedAndTold) {
+  begin_test();
+  if (IsSkipped() || HasFatalFailure()) return;
+  readings->setScreen(window->screen());
+  readings->move(window->screen()->geometry().topLeft() + QPoint(50, 50));
+  expect_told();
+}
+
+TEST_F(TwoScreens, ReadingsOnTheScreenThatTheTraineeGetsAreClosedAndTold) {
+  begin_test();
+  if (IsSkipped() || HasFatalFailure()) return;
+  QScreen* other = readings->screen();
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  ASSERT_NE(window->trainee(), nullptr);
+  window->trainee()->setScreen(other);
+  window->trainee()->move(other->geometry().topLeft() + QPoint(60, 60));
+  expect_told();
 }
 
 TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {

@@ -3,9 +3,15 @@
 // How the people of a group stand, and the page about it.
 #include <gtest/gtest.h>
 
+#include <QBuffer>
 #include <QFile>
+#include <QPainter>
+#include <QPdfWriter>
 
+#include "console/app/language.hpp"
+#include "console/models/course_next.hpp"
 #include "console/report/group_report.hpp"
+#include "console/report/sheet.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::console {
@@ -70,6 +76,32 @@ TEST(GroupRows, InACourseTheRulePassesAndOtherLessonsDoNotCount) {
   EXPECT_EQ(*row.last_score, 60);
 }
 
+// What the Run page tells of a course: the first lesson that is open and not passed, and how far its rule is met.
+TEST(CourseNexts, NameTheFirstOpenLessonThatIsNotPassed) {
+  record::Course basic = course();
+  const CourseNext fresh = course_next(basic, {});
+  EXPECT_EQ(fresh.words, "Basic: 0 of 2 lessons passed. Next: grasp, 0 of 2 Test attempts in a row.");
+  EXPECT_EQ(fresh.lesson_id, "grasp");
+  std::vector<record::AttemptRow> own = {attempt("grasp", "2026-03-04T10:00:00Z", true, 90), attempt("grasp", "2026-03-04T09:00:00Z", true, 90, "practice")};
+  EXPECT_EQ(course_next(basic, own).steps["grasp"], "1 of 2 Test attempts in a row");
+  own.push_back(attempt("grasp", "2026-03-04T10:01:00Z", true, 70));
+  EXPECT_EQ(course_next(basic, own).lesson_id, "carry");
+  basic.steps[0].rule.later_day = 2;
+  EXPECT_EQ(course_next(basic, own).steps["grasp"], "only the first 2 Test attempts of a later day are missing, 0 done");
+  EXPECT_EQ(course_next(basic, own).lesson_id, "grasp") << "the next lesson is not open yet";
+  basic.steps[1].is_open = true;
+  basic.steps[0].rule.later_day = 0;
+  for (const char* utc : {"2026-03-04T11:00:00Z", "2026-03-04T11:01:00Z"}) own.push_back(attempt("carry", utc, true, 80));
+  const CourseNext done = course_next(basic, own);
+  EXPECT_EQ(done.lesson_id, "");
+  EXPECT_EQ(done.words, "Basic: 2 of 2 lessons passed.");
+  // a finished course gives way to one that is not
+  record::Course other = course();
+  other.title = "Second", other.steps[0].lesson_id = "stitch";
+  EXPECT_EQ(course_next(std::vector<record::Course>{basic, other}, own)->lesson_id, "stitch");
+  EXPECT_FALSE(course_next(std::vector<record::Course>{}, own));
+}
+
 TEST(GroupRows, WhoNeedsAttentionComesFirst) {
   std::vector<record::AttemptRow> stuck;
   for (const char* utc : {"2026-03-04T10:02:00Z", "2026-03-04T10:01:00Z", "2026-03-04T10:00:00Z"}) stuck.push_back(attempt("grasp", utc, false, 0));
@@ -87,6 +119,35 @@ TEST(GroupRows, WhoNeedsAttentionComesFirst) {
 }
 
 class GroupReports : public WindowTest {};
+
+// A class with codes and reasons, in both languages.
+TEST_F(GroupReports, CutsNoWord) {
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(use_language(QString::fromLatin1(language)));
+    std::vector<record::AttemptRow> stuck;
+    for (const char* utc : {"2026-03-04T10:02:00Z", "2026-03-04T10:01:00Z", "2026-03-04T10:00:00Z"}) stuck.push_back(attempt("grasp", utc, false, 0));
+    GroupReport report{"Spring", "Basic", {"grasp", "carry"}, {}};
+    const record::Course basic = course();
+    for (int i = 0; i < 30; ++i) {
+      record::Person one = person("Maximiliane Oberhauser");
+      one.code = "7A880";
+      report.rows += group_row(one, i < 6 ? stuck : std::vector<record::AttemptRow>{}, &basic, kNow);
+    }
+    QBuffer out;
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    QPdfWriter pdf(&out);
+    pdf.setResolution(96);
+    pdf.setPageSize(QPageSize(QPageSize::A4));
+    pdf.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
+    QPainter painter(&pdf);
+    Sheet sheet(pdf, painter, QRectF(0, 0, pdf.width(), pdf.height()), "Spring", 1);
+    draw_group(sheet, report);
+    EXPECT_TRUE(sheet.cut().isEmpty()) << language << ": " << sheet.cut().join("; ").toStdString();
+    EXPECT_EQ(sheet.page(), 1) << language;
+  }
+  use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
 
 TEST_F(GroupReports, IsOnePageForAClass) {
   attempts = swage::test::sample_attempts();

@@ -16,6 +16,8 @@
 #include <QLocale>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTextBrowser>
 #include <QXmlStreamReader>
@@ -203,6 +205,39 @@ TEST_F(GermanWindow, FitsSmallScreens) {
   for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
     window->show_page(one.id);
     EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();
+  }
+}
+
+// A page that is wider than the window hides its right side behind a scroll bar.
+TEST_F(GermanWindow, CoursesAndPeopleNeedNoSidewaysScrollingAt1024) {
+  with_school = true;
+  {
+    std::string error;
+    const auto school = record::School::open(school_file(), error);
+    ASSERT_TRUE(school) << error;
+    record::Person one;
+    one.name = "Synthetic 13";
+    record::Course course;
+    course.title = "Grundkurs";
+    course.steps.resize(1);
+    course.steps[0].lesson_id = "test.lesson.grasp";
+    EXPECT_TRUE(school->add_person(one) && school->save_course(course)) << school->error();
+  }
+  open();
+  for (const char* id : {"courses", "people"}) {
+    window->show_page(QLatin1String(id));
+    EXPECT_TRUE(eventually([&] {
+      window->resize(1024, 768);
+      return window->size() == QSize(1024, 768);
+    })) << id << ": " << window->width() << " x " << window->height() << ", at least " << window->minimumSizeHint().width() << " x " << window->minimumSizeHint().height();
+    const QWidget* page = window->findChild<console::Pages*>()->current().widget;
+    QList<QScrollArea*> areas = page->findChildren<QScrollArea*>();
+    for (QWidget* up = page->parentWidget(); up; up = up->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(up)) areas += area;
+    EXPECT_GE(areas.size(), 2) << id;
+    for (const QScrollArea* area : areas)
+      EXPECT_TRUE(!area->isVisible() || eventually([&] { return area->horizontalScrollBar()->maximum() == 0; }))
+          << id << ": " << area->horizontalScrollBar()->maximum() << " px too wide";
   }
 }
 

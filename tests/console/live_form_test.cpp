@@ -60,11 +60,13 @@ TEST_F(LiveFormRows, OnlyARangeGoesFromOneNumberToAnother) {
   LiveParam region = row(SWAGE_PARAM_VECTOR, "lesson", "region", "Region", "Where to hold it."), size = region;
   region.param.dimension = 2, region.param.default_number = {0.01, 0.02}, region.start = {0.01, 0.02};
   size.param = region.param, size.start = region.start;
-  size.param.id = "size", size.param.default_number = {0.012, 0.010};
+  size.param.id = "size";  // its numbers ascend, too: the table says which of both it is
+  region.param.flags = SWAGE_PARAM_INTERVAL;
   show({region, size});
   EXPECT_EQ(editor<QDoubleSpinBox>("lesson_region_0")->prefix(), "from ");
   EXPECT_EQ(editor<QDoubleSpinBox>("lesson_region_1")->prefix(), "to ");
-  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_size_0")->prefix(), "") << "12 mm over x and 10 mm over y";
+  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_size_0")->prefix(), "") << "10 mm over x and 20 mm over y";
+  EXPECT_EQ(editor<QDoubleSpinBox>("lesson_size_1")->prefix(), "by ");
 }
 
 TEST_F(LiveFormRows, AFractionThatHasTwoNamesIsOneEntry) {

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "console/cues/cue_theme.hpp"
 #include "console/models/attempts_model.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
@@ -207,6 +208,27 @@ TEST(Reading, FindsTheNumbersOfAScene) {
   const Reading none = Reader(snapshot::SceneCard{}).read(*s);
   EXPECT_FALSE(none.force || none.tilt || none.spot || none.tips || none.hold);
   EXPECT_TRUE(none.counts.isEmpty());
+}
+
+// Position and tips beside a cue say what the cue says, in every theme.
+TEST(Reading, PositionAndTipsSayWhatTheCueSays) {
+  snapshot::SceneCard card;
+  const CueTheme theme = CueTheme::stock("safe");
+  int grasps = 0;
+  for (const QString& meaning : theme.meanings()) {
+    if (!meaning.startsWith("grasp.")) continue;
+    ++grasps;
+    card.script.cues = {{"lesson", meaning.toStdString(), "1", ""}};
+    auto s = std::make_unique<snapshot::Snapshot>();
+    s->n_object = 1;
+    s->object_cue[0] = 0;
+    const Reading r = Reader(card).read(*s);
+    const QString text = theme.style(meaning).text;
+    ASSERT_TRUE(r.spot && r.tips) << meaning.toStdString();
+    EXPECT_EQ(*r.spot, text.contains("Position right")) << text.toStdString();
+    EXPECT_EQ(*r.tips, !text.contains("without tips")) << text.toStdString();
+  }
+  EXPECT_EQ(grasps, 5);
 }
 
 TEST(Reading, WhileInsertingTheAngleToTheTissueTakesThePlaceOfTheTilt) {

@@ -54,6 +54,12 @@ TEST(NeedleCircle, AStraightWireHasNone) {
   EXPECT_FALSE(needle_circle(card, make_parts(card), card.start, {3, 0, 0}));
 }
 
+TEST(NeedleCircle, AClosedRingHasNone) {
+  snapshot::SceneCard card = scene();
+  card.shapes[0].sweep = 2 * std::numbers::pi;
+  EXPECT_FALSE(needle_circle(card, make_parts(card), card.start, {3, 0, 0}));
+}
+
 TEST(NeedleCircle, ItsMirrorImageGoesPointFirstToo) {
   const NeedleCircle circle{{1, 2, 3}, {0, 1, 0}, 3};
   const NeedleCircle image = mirrored(circle);

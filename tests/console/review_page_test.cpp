@@ -52,6 +52,40 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   EXPECT_TRUE(window->people_page()->isVisible());
 }
 
+// The trainee's window shows what the page in front is about; an attempt that runs comes first.
+TEST_F(ReviewPages, F9ShowsTheTraineeWhatIsReviewed) {
+  script.end_s = 0;
+  open_review();
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  ASSERT_NE(window->trainee(), nullptr);
+  console::SceneView* seen = window->trainee()->view();
+  const auto replays = [&] { return seen->words().task.startsWith("Replay") && window->trainee()->windowTitle().contains("replay"); };
+  EXPECT_TRUE(replays()) << seen->words().task.toStdString();
+  EXPECT_TRUE(seen->words().task.contains("Arun P."));
+  review()->go(1.5);
+  ASSERT_TRUE(arrives(1500));
+  EXPECT_TRUE(seen->words().clock.contains("00:01")) << seen->words().clock.toStdString();
+  EXPECT_EQ(seen->words().clock, review()->view()->words().clock);
+  EXPECT_FALSE(seen->instrument());
+  click("page_run");
+  EXPECT_FALSE(replays());
+  EXPECT_EQ(seen->words().clock, "") << "no attempt was run here";
+  click("page_review");
+  EXPECT_TRUE(replays());
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  ASSERT_TRUE(control()->running());
+  EXPECT_TRUE(seen->instrument());
+  click("page_review");
+  EXPECT_FALSE(replays()) << "the trainee works";
+  control()->stop();
+  EXPECT_TRUE(replays());
+  // another attempt, and none
+  window->review_file("/somewhere/one.swage");
+  EXPECT_TRUE(seen->words().task.contains("Bea L.")) << seen->words().task.toStdString();
+  window->review_file("/somewhere/damaged.swage");
+  EXPECT_FALSE(replays());
+}
+
 TEST_F(ReviewPages, SaysWhatToPressWhileNothingIsOpen) {
   attempts = sample_attempts();
   open();

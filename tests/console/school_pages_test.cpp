@@ -323,6 +323,75 @@ TEST_F(SchoolPages, ANumberThatIsNoneLeavesTheLimitAsItWas) {
   EXPECT_TRUE(courses()[0].steps[0].limits[0].is_gate);
 }
 
+// A passed test by a person's own hand.
+void keep_test(const std::string& store, const char* person, const char* lesson) {
+  record::AttemptInfo info;
+  info.person = person;
+  info.lesson_id = info.lesson_title = lesson;
+  info.mode = "test";
+  info.device = "mouse";
+  info.devices = {"hand"};
+  info.hands = {{"hand", "mouse", "swage.device.mouse", "1.0.0", "{}", SWAGE_DEVICE_POINTER}};
+  base::Problems problems;
+  const auto recorder = record::Recorder::open(store, info, problems);
+  ASSERT_TRUE(recorder);
+  record::AttemptEnd end;
+  end.outcome = judge::Outcome::kPassed;
+  end.score = 90;
+  end.simulated_s = 10;
+  recorder->finish(end);
+}
+
+// From the course, given on People, over its lessons to the last test and back: the Run page tells what is asked next, and each result
+// how far the person is.
+TEST_F(SchoolPages, ACourseLeadsThroughItsLessonsToItsLastTest) {
+  script.rate = 100;
+  open();
+  click("page_people");
+  console::RosterLine chen;
+  chen.name = "Chen W.";
+  ASSERT_TRUE(window->desk()->add_people({chen}));
+  click("page_courses");
+  click("first_course");
+  for (int step = 0; step < 2; ++step) {
+    click("add_lesson");
+    child<QSpinBox>("rule_in_a_row")->setValue(1);
+    child<QSpinBox>("rule_later_day")->setValue(0);
+  }
+  click("page_people");
+  in_dialog("assign_dialog", [](QDialog* d) { d->findChild<QPushButton*>(QStringLiteral("assign_ok"))->click(); });
+  click("assign_course");
+  click("page_run");
+  EXPECT_FALSE(child<QLabel>("course_next")->isVisible()) << "a guest has no course";
+  child<QComboBox>("person")->setCurrentText(QStringLiteral("Chen W."));
+  const auto next = [this] { return child<QLabel>("course_next")->text().toStdString(); };
+  EXPECT_EQ(next(), "Course 1: 0 of 2 lessons passed. Next: Grasp the needle, 0 of 1 Test attempts in a row.");
+  EXPECT_FALSE(child<QPushButton>("to_course_lesson")->isVisible()) << "it is chosen";
+  page()->setup()->select_lesson(1);
+  ASSERT_TRUE(child<QPushButton>("to_course_lesson")->isVisible());
+  press(Qt::Key_L);
+  EXPECT_TRUE(eventually([&] { return page()->setup()->lesson().contains("grasp"); }));
+  EXPECT_EQ(page()->setup()->mode(), "test");
+  const auto pass = [this](const char* lesson) {
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(control()->running());
+    keep_test(school_file(), "Chen W.", lesson);  // what a session writes
+    EXPECT_TRUE(wait_for_end());
+    EXPECT_EQ(child<QLabel>("result_course")->text(), "In the course: passed.");
+  };
+  pass("test.grasp");
+  EXPECT_EQ(next(), "Course 1: 1 of 2 lessons passed. Next: Carry and hold, 0 of 1 Test attempts in a row.");
+  press(Qt::Key_Right);
+  EXPECT_TRUE(page()->setup()->lesson().contains("carry"));
+  EXPECT_EQ(page()->setup()->mode(), "test");
+  pass("test.carry");
+  EXPECT_EQ(next(), "Course 1: 2 of 2 lessons passed.");
+  EXPECT_FALSE(child<QPushButton>("next_lesson")->isEnabled()) << "nothing is left";
+  press(Qt::Key_P);
+  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
+  EXPECT_EQ(child<QLabel>("person_name")->text(), "Chen W.");
+}
+
 // An attempt with thirty metrics by a scripted hand, as template for a school's attempts.
 std::string keep_hand(const std::string& store, double score) {
   record::AttemptInfo info;

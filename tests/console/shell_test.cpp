@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The frame of the window: pages by key and button, their remembered layout, the Lessons and the Setup page.
+#include <QAction>
 #include <QComboBox>
 #include <QFileDialog>
+#include <QHash>
 #include <QLineEdit>
 #include <QListView>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTableWidget>
 #include <QTimer>
 #include <QUndoStack>
@@ -118,6 +121,41 @@ TEST_F(Shell, ActionsOfCoursesAndSetupHaveKeysThatTheirTipsTell) {
     for (const QAbstractButton* other : pages()->current().widget->findChildren<QAbstractButton*>())
       EXPECT_TRUE(other == button || other->shortcut() != keys) << name << " and " << other->objectName().toStdString();
   }
+}
+
+// Whether two widgets are never shown together.
+bool take_turns(const QWidget* a, const QWidget* b) {
+  for (QWidget* up = a->parentWidget(); up != nullptr; up = up->parentWidget()) {
+    const auto* stack = qobject_cast<QStackedWidget*>(up);
+    if (!stack || !stack->isAncestorOf(b)) continue;
+    for (int i = 0; i < stack->count(); ++i)
+      if (stack->widget(i)->isAncestorOf(a)) return !stack->widget(i)->isAncestorOf(b);
+  }
+  return false;
+}
+
+// A key that two controls share does nothing at all.
+TEST_F(Shell, NoKeyHasTwoMeaningsOnAPage) {
+  with_school = true;
+  open();
+  QHash<QKeySequence, QString> of_window;
+  for (const QWidget* w : {static_cast<QWidget*>(window.get()), static_cast<QWidget*>(pages())})
+    for (const QAction* action : w->actions())
+      for (const QKeySequence& key : action->shortcuts()) of_window[key] = action->text();
+  EXPECT_GT(of_window.size(), 15);
+  int keyed = 0;
+  for (const console::Page& page : pages()->all()) {
+    QList<QAbstractButton*> buttons = page.widget->findChildren<QAbstractButton*>();
+    erase_if(buttons, [](const QAbstractButton* b) { return b->shortcut().isEmpty(); });
+    keyed += static_cast<int>(buttons.size());
+    for (const QAbstractButton* one : buttons) {
+      const std::string name = one->objectName().toStdString() + " " + one->shortcut().toString().toStdString();
+      EXPECT_FALSE(of_window.contains(one->shortcut())) << name << " and " << of_window[one->shortcut()].toStdString();
+      for (const QAbstractButton* other : buttons)
+        EXPECT_FALSE(one < other && one->shortcut() == other->shortcut() && !take_turns(one, other)) << name << " and " << other->objectName().toStdString();
+    }
+  }
+  EXPECT_GT(keyed, 20);
 }
 
 // Without experts no limit can be suggested: its number is asked for at once.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "console/view3d/clear_sight.hpp"
+#include "console/view3d/view_point.hpp"
 
 namespace swage::console {
 namespace {
@@ -37,6 +38,67 @@ TEST(Sight, ATurnedBoxHidesWhatItsEdgeReaches) {
   const std::vector<swage_pose> X_WB = {{{-5e-3, 0, 0}, {std::cos(half), 0, 0, std::sin(half)}}};
   EXPECT_TRUE(hidden(with_box(Role::kStage), X_WB, {0, 1.3F, 0}, {-1, 0, 0}));
   EXPECT_FALSE(hidden(with_box(Role::kStage), X_WB, {0, 1.5F, 0}, {-1, 0, 0}));
+}
+
+// Wires leave their boxes nearly empty: the ring on one is seen.
+TEST(Sight, AFixedWireHidesNothing) {
+  SceneParts wire = with_box(Role::kStage);
+  wire.part[0].wire = true;
+  EXPECT_FALSE(hidden(wire, std::vector<swage_pose>{{{-5e-3, 0, 0}, {1, 0, 0, 0}}}, {0, 0, 0}, {-1, 0, 0}));
+}
+
+snapshot::CardShape block(uint32_t body, const swage_vec3& low, const swage_vec3& high) {
+  snapshot::CardShape s;
+  s.kind = SWAGE_SHAPE_CONVEX;
+  s.flags = SWAGE_SHAPE_USUAL;
+  s.body = s.object = body;
+  s.X_BS.q = {1, 0, 0, 0};
+  for (int i = 0; i < 8; ++i) s.vertex.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  s.face = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return s;
+}
+
+// A ball of 1 mm at the origin in the tips of a holder 30 mm long; `yaw`: of its handle, 0 along x, rad; a wall stands behind on wish.
+bool side_is_from_behind(double yaw, bool walled, bool two_tools = false) {
+  snapshot::SceneCard card;
+  card.objects = {{"holder", "x", "1", {SWAGE_TRAIT_GRIPPER}, 0, 1, 0, 0}, {"ball", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 1, 1, 0, 0}};
+  card.motion = {SWAGE_MOTION_FOLLOWS, SWAGE_MOTION_DYNAMIC};
+  card.start = {{{0, 0, 0}, {std::cos(yaw / 2), 0, 0, std::sin(yaw / 2)}}, {{0, 0, 0}, {1, 0, 0, 0}}};
+  snapshot::CardShape ball;
+  ball.kind = SWAGE_SHAPE_SPHERE;
+  ball.flags = SWAGE_SHAPE_USUAL;
+  ball.body = ball.object = 1;
+  ball.X_BS.q = {1, 0, 0, 0};
+  ball.radius = 0.5e-3;
+  card.shapes = {block(0, {0, -0.3e-3, -0.3e-3}, {30e-3, 0.3e-3, 0.3e-3}), ball};
+  if (walled) {
+    card.objects.push_back({"wall", "x", "1", {SWAGE_TRAIT_SOLID}, 2, 1, 0, 0});
+    card.motion.push_back(SWAGE_MOTION_FIXED);
+    card.start.push_back({{0, 0, 0}, {1, 0, 0, 0}});
+    card.shapes.push_back(block(2, {-10e-3, 5e-3, -10e-3}, {10e-3, 6e-3, 10e-3}));
+  }
+  if (two_tools) {  // the other comes from the opposite side, a little nearer to who looks from the front
+    const auto own = static_cast<uint32_t>(card.objects.size());
+    card.objects.push_back({"other", "x", "1", {SWAGE_TRAIT_GRIPPER}, own, 1, 0, 0});
+    card.motion.push_back(SWAGE_MOTION_FOLLOWS);
+    card.start.push_back({{0, -2e-3, 0}, {std::cos(yaw / 2), 0, 0, std::sin(yaw / 2)}});
+    card.shapes.push_back(block(own, {-32e-3, -0.3e-3, -0.3e-3}, {-2e-3, 0.3e-3, 0.3e-3}));
+  }
+  SceneState scene;
+  scene.set_card(card);
+  ViewPoint point(scene);
+  point.frame(CameraPreset::kSide);
+  return point.camera.eye().y() > point.camera.focus().y();
+}
+
+TEST(SideView, IsFromWhereTheShaftDoesNotHideTheWork) {
+  const double right_angle = std::numbers::pi / 2;
+  EXPECT_TRUE(side_is_from_behind(-right_angle, false)) << "the handle points at who looks from the front";
+  EXPECT_TRUE(side_is_from_behind(-1, false));
+  EXPECT_FALSE(side_is_from_behind(0, false, true)) << "neither of two points at the viewer";
+  EXPECT_FALSE(side_is_from_behind(right_angle, false));
+  EXPECT_FALSE(side_is_from_behind(0, false)) << "it is seen from the side";
+  EXPECT_FALSE(side_is_from_behind(-right_angle, true)) << "a wall hides more";
 }
 
 // A shaft from the needle to the eye 100 mm away: jaws are drawn, the part that hides the needle is not, and parts beside or behind it are.

@@ -59,6 +59,54 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
 }
 
+// The close-up of a wound seldom shows the tips: a drag over it moves them as one on the picture does, and not by the thousandth part.
+TEST(Stranger, MovesTheInstrumentByADragOverACloseUpToo) {
+  base::Problems problems;
+  SceneState scene;
+  scene.set_card(test::open_fake({}, problems, test::FakeScript{}, std::make_shared<test::FakeLog>())->card());
+  QWidget picture;
+  picture.resize(800, 600);
+  ViewPoint point(scene);
+  point.frame(CameraPreset::kOrbit);
+  PanelLayout panels(scene, point);
+  panels.set_area(picture.size(), 1);
+  SceneInput input(&picture, scene, point, panels);
+  input.set_instrument(true);
+  std::vector<swage_pointer> sent;
+  QObject::connect(&input, &SceneInput::pointer, [&](const swage_pointer& p) { sent.push_back(p); });
+  const auto drag = [&](const QPointF& from) {
+    sent.clear();
+    const QPointF to = from + QPointF(40, 0);
+    QMouseEvent press(QEvent::MouseButtonPress, from, from, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QMouseEvent move(QEvent::MouseMove, to, to, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QMouseEvent release(QEvent::MouseButtonRelease, to, to, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
+    input.press(&press);
+    input.move(&move);
+    input.release(&release);
+    double dx = 0;
+    for (const swage_pointer& p : sent) dx += p.dx;
+    return dx;
+  };
+  const double moved = drag({400, 300});
+  EXPECT_GT(moved, 0);
+  WoundPlace wound;
+  wound.radius = 0.15F;
+  const auto loupe = [&]() -> Panel {
+    panels.set_wound(wound);
+    for (const Panel& panel : panels.panels())
+      if (panel.inset == Inset::kWound) return panel;
+    ADD_FAILURE() << "no close-up";
+    return {};
+  };
+  wound.middle = scene.middle_of_tips() - QVector3D(0, 0, 4);
+  EXPECT_DOUBLE_EQ(drag(loupe().at.center()), moved);
+  // one that shows the tips is for fine work: they follow the pointer there
+  wound.middle = scene.middle_of_tips();
+  const double fine = drag(loupe().at.center());
+  EXPECT_GT(fine, 0);
+  EXPECT_LT(fine, 0.5 * moved);
+}
+
 // A lesson with another author's instrument uses that instrument, unless a person chooses another.
 TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
   QTemporaryDir dir;

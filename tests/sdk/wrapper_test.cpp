@@ -93,6 +93,8 @@ TEST(Params, one_table_says_it_all) {
   EXPECT_EQ(row[6].dimension, 3u);
   EXPECT_EQ(row[7].dimension, 4u);
   EXPECT_EQ(row[8].dimension, 2u);
+  EXPECT_EQ(row[6].flags, 0u);
+  EXPECT_EQ(row[8].flags, SWAGE_PARAM_INTERVAL);
 }
 
 TEST(Params, defaults_are_the_member_initialisers) {

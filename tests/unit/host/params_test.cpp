@@ -198,6 +198,7 @@ TEST(Params, TableFaultsAreFound) {
 TEST(Params, TheTableSurvivesItsSidecar) {
   ParamTable table = needle_table();
   table[1].flags = SWAGE_PARAM_LIVE | SWAGE_PARAM_HIDDEN;
+  table[2].flags = SWAGE_PARAM_INTERVAL;
   table[1].max = std::numeric_limits<double>::infinity();
   ParamTable back;
   ASSERT_TRUE(table_from_json(table_to_json(table), back));
@@ -205,6 +206,7 @@ TEST(Params, TheTableSurvivesItsSidecar) {
   EXPECT_EQ(back[1].max, table[1].max);
   EXPECT_EQ(back[1].min, 0.5e-3);
   EXPECT_TRUE(back[1].live() && back[1].hidden() && !back[1].required());
+  EXPECT_EQ(back[2].flags, SWAGE_PARAM_INTERVAL);
   EXPECT_FALSE(table_from_json(nlohmann::ordered_json::parse(R"([{"id": 3}])"), back));
 }
 

@@ -259,7 +259,9 @@ consteval Field interval(const char* id, const char* label, const char* unit, co
                          double min, double max, const char* doc) {
   static_assert(std::same_as<typename detail::MemberOf<Member>::Type, Interval>,
                 "swage::interval needs a swage::Interval");
-  return vector<Member>(id, label, unit, display_unit, min, max, doc);
+  Field field = vector<Member>(id, label, unit, display_unit, min, max, doc);
+  field.param.flags |= SWAGE_PARAM_INTERVAL;
+  return field;
 }
 
 namespace detail {

@@ -14,13 +14,13 @@
 #define SWAGE_PARAM_BOOL 3    /* number[0], 0 or 1 */
 #define SWAGE_PARAM_CHOICE 4  /* number[0], index into choices */
 #define SWAGE_PARAM_TEXT 5    /* text */
-#define SWAGE_PARAM_VECTOR 6  /* number[0 .. dimension), in the SI unit; an interval is a vector of dimension 2 */
+#define SWAGE_PARAM_VECTOR 6  /* number[0 .. dimension), in the SI unit */
 #define SWAGE_PARAM_FILE 7    /* text: absolute path, resolved by the host against the lesson file's folder */
-
 /* Flags of a parameter. */
 #define SWAGE_PARAM_LIVE 1u     /* may change while the scene runs */
 #define SWAGE_PARAM_REQUIRED 2u /* a lesson must give it; the default is then only a start for the form */
 #define SWAGE_PARAM_HIDDEN 4u   /* shown under "advanced" */
+#define SWAGE_PARAM_INTERVAL 8u /* VECTOR of dimension 2: its numbers are the ends of a range, shown as "from" and "to"; else sizes along axes */
 
 typedef struct swage_param {
   uint32_t struct_size;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What a person's course asks next, in words for the Run page.
+#pragma once
+
+#include <QHash>
+#include <QString>
+#include <optional>
+#include <span>
+
+#include "record/course.hpp"
+#include "record/store.hpp"
+
+namespace swage::console {
+
+struct CourseNext {
+  QString words;                 // "Basic: 1 of 3 lessons passed. Next: Insertion"
+  QString lesson_id;             // the first lesson that may be done now and is not passed; "" when all are passed
+  QHash<QString, QString> steps; // by lesson id: "1 of 2 Test attempts in a row"
+};
+
+CourseNext course_next(const record::Course& course, std::span<const record::AttemptRow> attempts);
+
+/// The first unfinished course, or the last one where all are finished; no value without a course.
+std::optional<CourseNext> course_next(std::span<const record::Course> courses, std::span<const record::AttemptRow> attempts);
+
+}  // namespace swage::console
