@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Advice to the person during an attempt, beyond the task of its phase: put back a dropped object, release an object that is held at the
+// Advice to the person during an attempt, beyond the task of its phase: put back a dropped object or a bent needle, release an object that is held at the
 // wrong place, and how to use mouse controls not used so far. [main]
 #pragma once
 
@@ -17,8 +17,8 @@ namespace swage::console {
 class AttemptAdvice {
   Q_DECLARE_TR_FUNCTIONS(AttemptAdvice)
  public:
-  /// To be called before an attempt: nothing is held or dropped. Used controls are kept.
-  void reset() { closed_ = holds_ = misplaced_ = dropped_ = false; }
+  /// To be called before an attempt: nothing is held, dropped or bent. Used controls are kept.
+  void reset() { closed_ = holds_ = misplaced_ = dropped_ = bent_ = put_back_ = false; }
   /// An event of the attempt, by its id. A dropped object is advised on until it is held or reset; a slipping thread is not.
   void hear(const std::string& event_id, uint64_t step);
   /// Updates from a snapshot, which may be older than the events heard. Returns whether the held object, or its grasp, has changed.
@@ -37,6 +37,7 @@ class AttemptAdvice {
   QString used_;
   bool closed_ = false;                                       // the person has closed the jaws in this attempt, and not opened them
   bool holds_ = false, misplaced_ = false, dropped_ = false;  // the jaws hold an object; at the wrong place; an object was dropped
+  bool bent_ = false, put_back_ = false;                      // a needle is bent; the work was put back in this attempt
   uint64_t dropped_at_ = 0;                                   // step of the drop
 };
 

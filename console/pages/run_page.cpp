@@ -7,6 +7,7 @@
 #include <QResizeEvent>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "console/models/lesson_files.hpp"
 #include "console/models/metric_titles.hpp"
@@ -266,7 +267,12 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   presenter_->show_card(card, asked_);
 }
 
-void RunPage::start() { launch(false); }
+void RunPage::start() {
+  // an attempt may be a good one: a single key does not end it
+  told_running_ = control_->running();
+  if (told_running_) return fault_->say(tr("An attempt runs: Shift+F5 stops it, and then F5 begins anew."));
+  launch(false);
+}
 
 void RunPage::start_unrecorded() {
   launch(true);
@@ -335,6 +341,7 @@ void RunPage::update_state() {
   next_->setEnabled(!running);
   actions_->set_running(running, paused);
   if (running) right_->setCurrentWidget(now_);
+  if (!running && std::exchange(told_running_, false)) fault_->hide_words();
   if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));
   presenter_->update_state();
   update_cues();

@@ -149,6 +149,7 @@ class RunPage : public QWidget {
   void tell_subject();
 
   bool draws_seed_ = false;
+  bool told_running_ = false;  // a second start was answered with words; they go with the attempt
   PersonAdder add_person_;
   CourseFinder find_course_;
   std::optional<CourseNext> course_;  // of the person

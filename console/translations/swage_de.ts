@@ -15,6 +15,10 @@
         <source>Held at the wrong place: open the jaws, and take it at the mark.</source>
         <translation>An der falschen Stelle gehalten: Backen öffnen und an der Marke greifen.</translation>
     </message>
+    <message>
+        <source>The needle is bent: F7 puts back a straight one, or stop (Shift+F5) and begin anew (F5).</source>
+        <translation>Die Nadel ist verbogen: F7 legt eine gerade zurück, oder beenden (Umschalt+F5) und neu beginnen (F5).</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -4179,6 +4183,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>In the course: %1.</source>
         <translation>Im Kurs: %1.</translation>
+    </message>
+    <message>
+        <source>An attempt runs: Shift+F5 stops it, and then F5 begins anew.</source>
+        <translation>Ein Versuch läuft: Umschalt+F5 beendet ihn, danach beginnt F5 neu.</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ constexpr double kClear_px = 24;    // between an inset and places that it must 
 constexpr float kAround_mm = 0.9F;  // margin around the tips and their target
 constexpr float kFurthest_mm = 6;   // from the tips: a target further away is left out of the second view
 constexpr double kGlide_s = 0.15;   // time constant of the second view's motion
+constexpr float kStays = 0.75F;     // of the second view's radius: tips within it need no new picture
 constexpr float kStill = 0.01F;     // of its size: a smaller motion is ignored
 
 QRectF with_room(const QRectF& at, double room_px = kClear_px) { return at.adjusted(-room_px, -room_px, room_px, room_px); }
@@ -163,6 +164,7 @@ PanelLayout::Change PanelLayout::advance(double dt_s) {
 PanelLayout::Change PanelLayout::follow_tips(double dt_s) {
   if (point_.stereo() || !second_shown_ || held() || scene_.parts().tips.empty()) return Change::kNone;
   const QVector3D tips = scene_.middle_of_tips();
+  if (keys_down_ && !second_.empty() && (tips - second_.centre()).length() < kStays * second_.radius()) return Change::kNone;
   QVector3D aim = scene_.aim_near(tips, kAround_mm);
   if (const QVector3D way = aim - tips; way.length() > kFurthest_mm) aim = tips + way * (kFurthest_mm / way.length());
   const Change corner = choose_corner(tips, aim);

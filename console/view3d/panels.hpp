@@ -44,6 +44,9 @@ class PanelLayout {
   /// During a drag that began in this panel no inset moves, and the whole drag is the panel's.
   void hold(std::optional<Inset> dragged_in) { dragged_in_ = dragged_in; }
   bool held() const { return dragged_in_.has_value(); }
+  /// While a key moves the instrument the second view stays as it is, as long as the tips are in it: directions are learned from a picture
+  /// that stands still.
+  void set_keys_down(bool down) { keys_down_ = down; }
 
   std::vector<Panel> panels() const;
   Panel at(const QPointF& position) const;
@@ -73,6 +76,7 @@ class PanelLayout {
   double ratio_ = 1;
   WoundPlace wound_;
   std::optional<Inset> dragged_in_;
+  bool keys_down_ = false;
   bool second_shown_ = false, loupe_shown_ = true;
   Bounds second_;         // sphere that the second view shows now
   CornerPlace corner_;    // of the second view

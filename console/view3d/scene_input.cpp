@@ -30,6 +30,7 @@ void SceneInput::set_instrument(bool on) {
   drives_ = nothing_to_drive_ = false;  // a key that is down when an attempt ends is released unseen
   turned_view_ = false;
   input_ = PointerInput();
+  panels_.set_keys_down(false);
   panels_.hold({});
   Q_EMIT words_changed();
 }
@@ -194,6 +195,7 @@ bool SceneInput::key_down(QKeyEvent* event) {
   if (!instrument_ || !input_.key(*event, true, out)) return camera_key(event->key());
   if (event->isAutoRepeat()) return true;
   tell_circle(out);
+  panels_.set_keys_down(out.keys != 0);
   if (moves_instrument(event->key())) used("drag");
   if (event->key() == Qt::Key_Space) used("close");
   if (event->key() == Qt::Key_B) used("open");
@@ -238,12 +240,14 @@ bool SceneInput::key_up(QKeyEvent* event) {
   swage_pointer out{};
   if (!instrument_ || !input_.key(*event, false, out)) return false;
   if (event->isAutoRepeat()) return true;
+  panels_.set_keys_down(out.keys != 0);
   tell_circle(out);
   Q_EMIT pointer(out);
   return true;
 }
 
 void SceneInput::focus_lost() {
+  panels_.set_keys_down(false);
   // a key released in another window must not keep the jaws closing
   if (instrument_) Q_EMIT pointer(input_.released());
   drives_ = nothing_to_drive_ = false;

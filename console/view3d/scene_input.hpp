@@ -22,7 +22,7 @@ namespace swage::console {
 /// Which hints are shown over the picture.
 struct ControlHints {
   bool drag = false, close = false, drive = false, open = false;  // until the control was used once
-  bool put_back = false;                                         // for a dropped object
+  bool put_back = false;                                         // for a dropped object, and a bent needle
   bool operator==(const ControlHints&) const = default;
 };
 

@@ -123,7 +123,7 @@ void SoftMeshes::place(const SceneState& scene, double mm_per_pixel) {
         dented_.insert(static_cast<int>(i));
     }
     append_wounds(tears, dents, wounds);
-    if (const WoundPlace place = greatest_wound(tears, dents); place.ratio > wound_.ratio) {
+    if (const WoundPlace place = greatest_wound(tears, dents, punctures_of(scene)); place.ratio > wound_.ratio) {
       wound_ = place;
       wound_.kind = kind_of_wound(wound_.puncture, punctures_of(scene));
       wounded_object_ = part.object;

@@ -209,9 +209,25 @@ void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dent
   }
 }
 
+namespace {
+
+// Tissue is drawn along by the needle, and a wound with it: by less than this, mm. The bites of a running suture lie farther apart.
+constexpr float kDrawn_mm = 0.6F;
+
+/// Whether a wound is the nearest one to a place where the needle last went in or out.
+bool of_last_bite(const std::vector<Tear>& wound, const std::vector<std::vector<Tear>>& all, const Punctures& last) {
+  const auto is_nearest = [&](const QVector3D& place) {
+    const float own = (wound[0].a - place).length();
+    return own < kDrawn_mm &&
+           std::all_of(all.begin(), all.end(), [&](const auto& other) { return (other[0].a - place).length() >= own; });
+  };
+  return std::any_of(last.entries.begin(), last.entries.end(), is_nearest) ||
+         std::any_of(last.exits.begin(), last.exits.end(), is_nearest);
+}
+
+}  // namespace
+
 WoundKind kind_of_wound(const QVector3D& puncture, const Punctures& last) {
-  // Tissue is drawn along by the needle, and a wound with it: by less than this, mm. The bites of a running suture lie farther apart.
-  constexpr float kDrawn_mm = 0.6F;
   const auto nearest = [&](const std::vector<QVector3D>& places) {
     float least = 2 * kDrawn_mm;
     for (const QVector3D& p : places) least = std::min(least, (p - puncture).length());
@@ -222,10 +238,13 @@ WoundKind kind_of_wound(const QVector3D& puncture, const Punctures& last) {
   return from_entry <= from_exit ? WoundKind::kEntry : WoundKind::kExit;
 }
 
-WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents) {
+WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents, const Punctures& last) {
   WoundPlace out;
   const std::vector<std::vector<Tear>> wounds = wounds_of(tears);
+  const bool any_last =
+      std::any_of(wounds.begin(), wounds.end(), [&](const auto& wound) { return of_last_bite(wound, wounds, last); });
   for (const std::vector<Tear>& wound : wounds) {
+    if (any_last && !of_last_bite(wound, wounds, last)) continue;
     const float r = wound[0].radius;
     QVector3D low = wound[0].a, high = low;
     float reach = r;

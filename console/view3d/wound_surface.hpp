@@ -41,7 +41,8 @@ struct Punctures {
 /// By the nearest of them. Wounds of earlier bites are near none.
 WoundKind kind_of_wound(const QVector3D& puncture, const Punctures& last);
 
-/// The one whose edge is furthest from its first puncture; none when there are no tears.
-WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents);
+/// The one whose edge is furthest from its first puncture; none when there are no tears. Those of the last bite come first: a hole that was
+/// given up is shown only while there is no other.
+WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents, const Punctures& last = {});
 
 }  // namespace swage::console

@@ -13,7 +13,7 @@ using toolkit::vec;
 namespace {
 
 Speeds speeds_of(const MouseParams& p) {
-  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.latch};
+  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.give, p.latch};
 }
 
 }  // namespace
@@ -34,20 +34,31 @@ void Mouse::changed() {
   hand_.set_circle({vec(params().circle_centre), vec(params().circle_axis)});
 }
 
+// the signals of one coupling stand together, "grasp.force" before those of the jaws
 void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
-  grip_.clear();
+  grasps_.clear();
   for (uint32_t i = 0; i < scene->n_signal; ++i) {
     const swage_scene_signal& signal = scene->signal[i];
-    const bool own = params().grasp.empty() || view(signal.owner) == params().grasp;
-    if (own && view(signal.id) == "grasp.force") grip_.emplace_back(i);
+    if (!params().grasp.empty() && view(signal.owner) != params().grasp) continue;
+    if (view(signal.id) == "grasp.force") grasps_.push_back({Signal(i), Signal(), Signal()});
+    if (!grasps_.empty() && view(signal.id) == "grasp.left") grasps_.back().left = Signal(i);
+    if (!grasps_.empty() && view(signal.id) == "grasp.right") grasps_.back().right = Signal(i);
   }
-  if (grip_.empty() && !params().grasp.empty())
+  if (grasps_.empty() && !params().grasp.empty())
     refuse("there is no signal \"grasp.force\" of \"" + params().grasp + "\" (parameter grasp)");
 }
 
 void Mouse::look(const Sight& sight) {
-  grip_N_ = 0;
-  for (const Signal force : grip_) grip_N_ = std::max(grip_N_, sight.view().signal(force));
+  felt_ = {};
+  double left = 0, right = 0;
+  for (const Grasp& grasp : grasps_) {
+    felt_.grip = std::max(felt_.grip, sight.view().signal(grasp.force));
+    if (!grasp.left.valid() || !grasp.right.valid()) continue;  // a coupling of others need not tell them
+    left = std::max(left, sight.view().signal(grasp.left));
+    right = std::max(right, sight.view().signal(grasp.right));
+  }
+  constexpr double kFelt = 0.5;  // of the other jaw's force: below it one jaw is felt to push; at 1 a firm grip would wander
+  if (std::min(left, right) < kFelt * std::max(left, right)) felt_.pushes = left > right ? 1 : -1;
 }
 
 void Mouse::open() {
@@ -81,7 +92,7 @@ void Mouse::exchange(const swage_command& command, swage_sample& sample) {
   const swage_pointer pointer = taken_over(pointer_ != nullptr ? *pointer_->read(&host()) : kStill);
   const bool shared = params().hands > 1, led = leads_ == params().hand;
   if (led)
-    hand_.step(pointer, dt, grip_N_);
+    hand_.step(pointer, dt, felt_);
   else
     hand_.rest(dt);
 

@@ -26,6 +26,7 @@ struct MouseParams {
   double fine = Speeds{}.fine;
   double smoothing = Speeds{}.smoothing;
   double rest_force = Speeds{}.rest_force;  // N
+  double give = Speeds{}.give;              // m/s
   bool latch = Speeds{}.latch;
   swage_vec3 circle_centre = {0, 0, 0};  // m
   swage_vec3 circle_axis = {0, 0, 0};
@@ -36,7 +37,7 @@ struct MouseParams {
 class Mouse final : public SeeingDevice<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
-  static constexpr auto version = "1.2.0";
+  static constexpr auto version = "1.3.0";
   static constexpr auto name = "Mouse and keyboard";
   static constexpr auto summary =
       "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
@@ -108,6 +109,10 @@ class Mouse final : public SeeingDevice<MouseParams> {
           .group("Two hands"),
       text<&MouseParams::grasp>("grasp", "Grasp", "Name of the grasp coupling whose force closing rests at; empty: the hardest grip of all.")
           .group("Two hands"),
+      real<&MouseParams::give>("give", "Yields", "m/s", "mm/s", 0, 1,
+                               "Speed at which the hand gives way while one jaw presses more than the other as it closes; 0: it never does.")
+          .live()
+          .hidden(),
   };
 
   void build(const MouseParams& params, DeviceBuilder& builder) override;
@@ -124,8 +129,12 @@ class Mouse final : public SeeingDevice<MouseParams> {
 
   const swage_host_pointer* pointer_ = nullptr;
   MouseHand hand_;
-  std::vector<Signal> grip_;  // signals of the grasp: of one coupling, or of every coupling that grasps
-  double grip_N_ = 0;
+  /// Signals of one grasp: the grip force, and the force of each jaw.
+  struct Grasp {
+    Signal force, left, right;
+  };
+  std::vector<Grasp> grasps_;  // of one coupling, or of every coupling that grasps
+  Felt felt_;
   double last_s_ = 0;
   int leads_ = 1;  // number of the hand that is controlled now
   bool tab_ = false;

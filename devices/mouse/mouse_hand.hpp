@@ -42,7 +42,14 @@ struct Speeds {
   double fine = 0.2;                          // factor of all the above while shift is down
   double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves smoothly
   double rest_force = 0.6;  // N, grip force at which closing stops until the key is pressed again; 0: it never stops
+  double give = 2e-3;       // m/s, at which the hand gives way while one jaw pushes: quicker than a jaw closes; 0: it never does
   bool latch = true;        // the jaws keep their closure when the key is released; otherwise they open again
+};
+
+/// What the jaws feel.
+struct Felt {
+  double grip = 0;  // N, the grip force
+  int pushes = 0;   // which jaw presses more than the other: 1 the left, -1 the right, 0 neither
 };
 
 /// Commanded pose of the hand, and its smoothed pose.
@@ -52,14 +59,14 @@ class MouseHand {
   MouseHand(const Speeds& speeds, const Pose& start)
       : speeds_(speeds), target_(start), middle_(start), pose_(start) {}
 
-  /// One step of dt [s]; `grip` [N]: present grip force of the jaws. [rt]
-  void step(const swage_pointer& pointer, double dt, double grip = 0) noexcept {
+  /// One step of dt [s]. [rt]
+  void step(const swage_pointer& pointer, double dt, const Felt& felt = {}) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
     const Quat q_WC = toolkit::quat(pointer.camera);
     if (const double angle = scale * along_circle(pointer, q_WC, dt); angle != 0) drive(angle);
     if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
     target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
-    squeeze(pointer, scale, dt, grip);
+    if (squeeze(pointer, scale, dt, felt.grip)) yield(felt.pushes * scale * speeds_.give * dt);
     smooth(dt);
   }
 
@@ -138,8 +145,15 @@ class MouseHand {
     return a;
   }
 
-  /// A first press closes until the jaws hold with the resting force; a new press from there closes on.
-  void squeeze(const swage_pointer& p, double scale, double dt, double grip) {
+  /// A hand feels which jaw pushes and gives way, so that a needle is taken where it is and not pushed: moves by `way` [m] towards
+  /// the left jaw, at once.
+  void yield(double way) {
+    const Vec3 d = way * (target_.q * Vec3::UnitZ());
+    for (Pose* pose : {&target_, &middle_, &pose_}) pose->p += d;
+  }
+
+  /// A first press closes until the jaws hold with the resting force; a new press from there closes on. True while they close.
+  bool squeeze(const swage_pointer& p, double scale, double dt, double grip) {
     constexpr double kNotch = 0.02;  // closure per notch of the wheel
     const bool control = (p.modifiers & kControl) != 0;
     const bool middle = (p.buttons & kMiddleButton) != 0;
@@ -154,6 +168,7 @@ class MouseHand {
     closure_ += rate * scale * speeds_.squeeze * dt;
     if (control) closure_ += kNotch * scale * p.wheel;
     closure_ = std::clamp(closure_, 0.0, 1.0);
+    return rate > 0;
   }
 
   /// Two equal first-order low-pass filters in series: continuous velocity, no overshoot.

@@ -62,7 +62,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   };
   failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
   failure(End::kMissed, "failed.missed", "The needle went in too far from the mark.");
-  failure(End::kTorn, "failed.torn", "The wound became too large.");
+  failure(End::kTorn, "failed.torn", "The entry wound became too large.");
   failure(End::kDeflected, "failed.deflected", "The point failed to puncture the tissue too often.");
   failure(End::kOutOfTime, "failed.out_of_time",
           "Time ran out before the needle was where it should be.");

@@ -35,6 +35,21 @@ TEST(AttemptAdvice, WhatIsPutBackHasNotFallenAnyMore) {
   EXPECT_EQ(advice.words(true), "");
 }
 
+TEST(AttemptAdvice, ABentNeedleMayBePutBack) {
+  AttemptAdvice advice;
+  Reading bent = held(true);
+  bent.meanings = {QStringLiteral("needle.bent")};
+  EXPECT_TRUE(advice.read(bent, 1));
+  EXPECT_TRUE(advice.words(true).contains("F7")) << advice.words(true).toStdString();
+  EXPECT_TRUE(advice.hints(false, false).put_back);
+  EXPECT_FALSE(advice.hints(true, false).put_back) << "a test tells no answer";
+  advice.hear("host.reset", 2);
+  EXPECT_TRUE(advice.read(bent, 3)) << "the lesson remembers the bend";
+  EXPECT_EQ(advice.words(true), "");
+  advice.reset();
+  EXPECT_TRUE(advice.read(bent, 1)) << "another attempt";
+}
+
 TEST(AttemptAdvice, WhatIsHeldAtTheWrongPlaceIsLetGoOf) {
   AttemptAdvice advice;
   EXPECT_TRUE(advice.read(held(false), 1));

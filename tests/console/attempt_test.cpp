@@ -307,6 +307,39 @@ TEST(Insets, KeepTheirZoomInADrag) {
   }
 }
 
+// Keys are held for long, and a picture that turns or grows under them cannot be steered by.
+TEST(Insets, TheSecondViewStandsStillWhileAKeyMovesTheTipsInIt) {
+  FakeScript script;
+  base::Problems none;
+  const auto session = open_fake({}, none, script, std::make_shared<FakeLog>());
+  console::SceneState scene;
+  scene.set_card(session->card());
+  console::ViewPoint point(scene);
+  console::PanelLayout panels(scene, point);
+  panels.set_area({800, 600}, 1);
+  panels.show_second(true);
+  snapshot::Snapshot now;
+  const auto go_to = [&](double time_s) {
+    fake_state(script, time_s, now);
+    scene.take(now, false);
+    for (int i = 0; i < 20; ++i) panels.advance(0.1);
+  };
+  const auto inset = [&] {
+    for (const console::Panel& p : panels.panels())
+      if (p.inset == console::Inset::kDepth) return std::pair{p.at, p.view.eye.mm_per_pixel(p.size.height())};
+    return std::pair{QRectF(), 0.0};
+  };
+  go_to(0);
+  const auto before = inset();
+  ASSERT_GT(before.second, 0);
+  panels.set_keys_down(true);
+  go_to(0.05);
+  EXPECT_EQ(inset(), before);
+  go_to(3);
+  EXPECT_NE(inset(), before) << "the tips have left it";
+  panels.set_keys_down(false);
+}
+
 class OwnLessonOnPage : public WindowTest {
  protected:
   void SetUp() override {

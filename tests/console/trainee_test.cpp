@@ -87,7 +87,11 @@ TEST_F(Trainee, NobodyIsAddedUnasked) {
   EXPECT_EQ(asked, 2);
   ASSERT_EQ(log->started, 1);
   EXPECT_EQ(log->last.person, "Guesta");
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_EQ(log->started, 1) << "one key does not end an attempt";
+  EXPECT_TRUE(child<QLabel>("problem")->isVisible() && child<QLabel>("problem")->text().contains("Shift+F5")) << "and says so";
   click("stop");
+  EXPECT_FALSE(child<QLabel>("problem")->isVisible());
   click("start");
   EXPECT_EQ(log->started, 2) << "once agreed to, it is known";
   EXPECT_EQ(asked, 2);

@@ -88,6 +88,17 @@ TEST(WoundSurface, TheGreatestIsFramed) {
   EXPECT_EQ(place.of, 2);
 }
 
+TEST(WoundSurface, AHoleThatWasGivenUpIsNotFramedBesideTheLastBite) {
+  const std::vector<Tear> tears = {tear(0, 0.2F), tear(2, 2.1F, 1), tear(3, 3, 2)};  // given up and the widest; entry; exit
+  const Punctures last{{{2, 0, 0}}, {{3, 0, 0}}};
+  EXPECT_NEAR(greatest_wound(tears, {}).middle.x(), 0.1F, 1e-5F) << "nothing is known of bites";
+  const WoundPlace place = greatest_wound(tears, {}, last);
+  EXPECT_NEAR(place.middle.x(), 2.05F, 1e-5F);
+  EXPECT_NEAR(place.ratio, 3, 1e-4);
+  // given up, and nothing else was begun
+  EXPECT_TRUE(greatest_wound({tear(0, 0.2F)}, {}, last).there());
+}
+
 TEST(WoundSurface, AWoundIsAnEntryOrAnExit) {
   const Punctures last{{{0, 0, 0}, {5, 0, 0}}, {{2, 0, 0}}};
   EXPECT_EQ(kind_of_wound({0.1F, 0, 0}, last), WoundKind::kEntry);

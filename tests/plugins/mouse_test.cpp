@@ -162,7 +162,7 @@ TEST(MouseHand, ClosingRestsAtTheForceOfTheLessonUntilTheKeyIsPressedAgain) {
   // jaws that touch at a closure of 0.2 and then hold with 2 N per closure
   const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
   const auto run = [&](double seconds) {
-    for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) hand.step(p, 1e-3, grip());
+    for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) hand.step(p, 1e-3, {grip(), 0});
   };
   p.keys = kSpace;
   run(3);
@@ -188,7 +188,7 @@ TEST(MouseHand, TheRepeatOfAHeldKeyIsNoSecondPress) {
   const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
   for (int ms = 0; ms < 3000; ++ms) {
     p.keys = ms > 600 && ms % 40 < 5 ? 0 : kSpace;  // up for 5 ms at each repeat
-    hand.step(p, 1e-3, grip());
+    hand.step(p, 1e-3, {grip(), 0});
   }
   EXPECT_NEAR(grip(), 0.6, 2e-3);
 }

@@ -42,6 +42,8 @@ class LessonRun {
   bool save_and_restore();
   /// What the person does with pointer and keys, read in the next step; deltas then start again at zero.
   swage_pointer& pointer() { return pointer_; }
+  /// A command for the next step, as the window gives it.
+  bool push_command(const step::Command& command) { return engine_->push(command); }
 
   const judge::Verdict& verdict() const { return engine_->verdict(); }
   std::string outcome() const { return judge::text(verdict().outcome); }
