@@ -33,6 +33,8 @@ class Band {
 
   int size() const { return n_; }
   void set_zero() { std::fill(a_.begin(), a_.end(), 0.0); }
+  /// Sets what lies beyond the last unknown to zero again, after a factorisation that failed.
+  void clear_beyond() { std::fill(a_.begin() + n_ * kColumn, a_.end(), 0.0); }
 
   /// The lower half: i >= j.
   double& at(int i, int j) { return column(j)[i - j]; }
