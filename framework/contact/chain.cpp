@@ -28,9 +28,9 @@ void ChainTree::refit(const scene::World& world) noexcept {
   }
   const Vec3 mean = drift_ / (2.0 * segments_);
   drift_ = world.dt * mean;
-  double fastest = 0;
-  for (const Piece& piece : piece_)
-    fastest = std::max({fastest, (piece.v0 - mean).squaredNorm(), (piece.v1 - mean).squaredNorm()});
+  // a piece begins where the one before it ends
+  double fastest = (piece_[0].v0 - mean).squaredNorm();
+  for (const Piece& piece : piece_) fastest = std::max(fastest, (piece.v1 - mean).squaredNorm());
   moves_ = world.dt * std::sqrt(fastest);
 
   // children follow their parents
@@ -44,14 +44,14 @@ void ChainTree::refit(const scene::World& world) noexcept {
       continue;
     }
     double thick = 0;
+    const auto add = [&](const Vec3& p, const Vec3& v) {
+      node.box.add(p);
+      if (moves_ > 0) node.box.add(p - world.dt * (v - mean));
+    };
+    add(piece_[node.first].p0, piece_[node.first].v0);
     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Piece& piece = piece_[i];
-      thick = std::max(thick, piece.radius);
-      for (const Vec3& p : {piece.p0, piece.p1}) node.box.add(p);
-      if (moves_ > 0) {
-        node.box.add(piece.p0 - world.dt * (piece.v0 - mean));
-        node.box.add(piece.p1 - world.dt * (piece.v1 - mean));
-      }
+      thick = std::max(thick, piece_[i].radius);
+      add(piece_[i].p1, piece_[i].v1);
     }
     node.box.grow(thick);
   }

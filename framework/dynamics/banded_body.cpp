@@ -62,10 +62,12 @@ bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
 
 /// Fixes unknowns without stiffness where they are.
 void BandedBody::hold() noexcept {
-  for (int j = 0; j < A_.size(); ++j) {
+  const int n = A_.size();
+  // entries beyond the last unknown
+  for (int j = std::max(0, n - SWAGE_BAND_REACH); j < n; ++j) std::fill(A_.column(j) + (n - j), A_.column(j) + SWAGE_BAND_COLUMN, 0.0);
+  for (int j = 0; j < n; ++j) {
     double* a = A_.column(j);
-    const int last = A_.size() - 1 - j;
-    for (int k = std::min(last, SWAGE_BAND_REACH) + 1; k < SWAGE_BAND_COLUMN; ++k) a[k] = 0;
+    a[SWAGE_BAND_COLUMN - 1] = 0;
     if (a[0] != 0) continue;
     A_.hold(j);
     a[0] = kHeld;
@@ -99,11 +101,12 @@ void BandedBody::take_factors() noexcept {
 
 /// Solves in place. Leading zeros of x stay 0 and are skipped.
 void BandedBody::solve(double* x) const noexcept {
-  const auto n = static_cast<std::ptrdiff_t>(unknowns());
-  if (from_last_) std::reverse(x, x + n);
-  const auto first = std::find_if(x, x + n, [](double f) { return f != 0; });
-  if (first != x + n) factors_.solve(x, static_cast<int>(first - x));
-  if (from_last_) std::reverse(x, x + n);
+  const auto n = static_cast<int>(unknowns());
+  const auto at = [&](int i) { return x[from_last_ ? n - 1 - i : i]; };
+  int first = 0;
+  while (first < n && at(first) == 0) ++first;
+  if (first == n) return;
+  from_last_ ? factors_.solve_reversed(x, first) : factors_.solve(x, first);
 }
 
 const double* BandedBody::column(uint32_t vertex, uint32_t least, uint32_t most) noexcept {

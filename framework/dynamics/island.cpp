@@ -148,10 +148,9 @@ bool IslandSolver::begin_where_it_was(const Island& island) noexcept {
     }
   }
   space_->residual(z_.data());
-  law_ = false;
-  const bool there = space_->search_direction(z_.data(), false, step_.data());
-  newton_ += there;
-  return there;
+  law_ = space_->search_direction(z_.data(), false, step_.data());
+  newton_ += law_;
+  return law_;
 }
 
 void IslandSolver::advance(double fraction) noexcept {

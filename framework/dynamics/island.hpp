@@ -147,7 +147,7 @@ class IslandSolver {
   uint32_t newton_ = 0;
   bool consistent_ = false;  // z_ is a consistent point of the space, not only the start
   bool has_first_ = false;
-  bool law_ = false;         // D of the constraints is the tangent of the law, not of one of its pieces
+  bool law_ = false;         // D of the constraints is that of the last system, where only same_stiffness() changes it from here on
   std::unique_ptr<Space> displacement_space_, sparse_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;

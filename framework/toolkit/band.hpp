@@ -33,6 +33,8 @@ class Band {
 
   int size() const { return n_; }
   void set_zero() { std::fill(a_.begin(), a_.end(), 0.0); }
+  /// Sets what lies beyond the last unknown to zero again, after a factorisation that failed.
+  void clear_beyond() { std::fill(a_.begin() + n_ * kColumn, a_.end(), 0.0); }
 
   /// The lower half: i >= j.
   double& at(int i, int j) { return column(j)[i - j]; }
@@ -94,8 +96,10 @@ class Band {
     if (R % 4 == 0 && has_fours())
       solve_by_fours<R>(a_.data(), n_, x, first, least);
     else
-      solve_with<Narrow<R>, R>(a_.data(), n_, x, first, least);
+      solve_with<Narrow<R>, R, R>(a_.data(), n_, x, first, least);
   }
+  /// The same for one right-hand side whose unknowns are in reverse order: unknown i is x[n - 1 - i].
+  void solve_reversed(double* x, int first = 0) const { solve_with<Ones, 1, -1>(a_.data(), n_, x + n_ - 1, first, 0); }
 
  private:
   using Back = std::ptrdiff_t;
@@ -158,28 +162,29 @@ class Band {
 
   template <int R>
   SWAGE_FOURS static void solve_by_fours(const double* a, int n, double* x, int first, int least) {
-    solve_with<std::conditional_t<R % 4 == 0, Fours, Narrow<R>>, R>(a, n, x, first, least);
+    solve_with<std::conditional_t<R % 4 == 0, Fours, Narrow<R>>, R, R>(a, n, x, first, least);
   }
-  template <class V, int R>
+  /// kNext: from an unknown to the next.
+  template <class V, int R, Back kNext>
   [[gnu::always_inline]] static void solve_with(const double* a, int n, double* x, int first, int least) {
     Line<V, R> near, next;  // the two unknowns computed last
-    near.load(x + static_cast<Back>(first) * R), next = near;
+    near.load(x + first * kNext), next = near;
     for (int j = first + 1; j < n; ++j) {
-      double* at = x + static_cast<Back>(j) * R;
+      double* at = x + j * kNext;
       Line<V, R> now;
       now.load(at);
-      if (j == first + 1 && j >= 2) next.load(at - 2 * R);
-      take<V, R>(a + static_cast<Back>(j) * kColumn, 1 - kColumn, -R, std::min(B, j), at, near, next, now);
+      if (j == first + 1 && j >= 2) next.load(at - 2 * kNext);
+      take<V, R>(a + static_cast<Back>(j) * kColumn, 1 - kColumn, -kNext, std::min(B, j), at, near, next, now);
       now.store(at);
       next = near, near = now;
     }
     for (int j = n - 1; j >= least; --j) {
       const double* l = a + static_cast<Back>(j) * kColumn;
-      double* at = x + static_cast<Back>(j) * R;
+      double* at = x + j * kNext;
       Line<V, R> now;
       now.load(at);
       now.multiply(l[0]);
-      take<V, R>(l, 1, R, std::min(B, n - 1 - j), at, near, next, now);
+      take<V, R>(l, 1, kNext, std::min(B, n - 1 - j), at, near, next, now);
       now.store(at);
       next = near, near = now;
     }

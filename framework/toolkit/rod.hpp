@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "toolkit/band.hpp"
+#include "toolkit/rod_assembly.hpp"
 #include "toolkit/rod_drag.hpp"
 #include "toolkit/rod_edges.hpp"
 #include "toolkit/rod_joint.hpp"
@@ -209,20 +210,32 @@ class Rod {
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
   template <class V>
-  [[gnu::always_inline]] inline void differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const;
-  SWAGE_FOURS void differentiate_four_joints(const RodState& s, int i, bool second, Derivatives* to) const {
-    differentiate_joints<Fours>(s, i, second, to);
+  [[gnu::always_inline]] inline void differentiate_with(const RodState& s, double* gradient, Matrix* hessian) const;
+  SWAGE_FOURS void differentiate_by_fours(const RodState& s, double* gradient, Matrix* hessian) const {
+    differentiate_with<Fours>(s, gradient, hessian);
   }
-  void differentiate_two_joints(const RodState& s, int i, bool second, Derivatives* to) const {
-    differentiate_joints<Twos>(s, i, second, to);
+  void differentiate_by_twos(const RodState& s, double* gradient, Matrix* hessian) const {
+    differentiate_with<Twos>(s, gradient, hessian);
   }
-  void add(int i, Derivatives& d, double* gradient, Matrix* hessian) const;
-  static void add_before(int a, bool has_f, const Derivatives& d, Matrix& H);
-  static void add_middle(int b, bool has_f, const Derivatives& d, Matrix& H);
-  static void add_after(int c, const Derivatives& d, Matrix& H);
-  void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
+  template <class V>
+  [[gnu::always_inline]] inline void take_inner_joints(const RodState& s, int i, int place, bool second) const;
+  template <class V>
+  [[gnu::always_inline]] inline void take_edges(int j, int place, bool second) const;
+  void take_joint(const RodState& s, int i, int place, bool second) const;
+  void take_edge(int j, int place, bool second) const;
+  template <class V>
+  [[gnu::always_inline]] inline void take_four(const RodState& s, int i, bool second) const;
   void begin_linear(const RodState& s);
   void add_drag(const RodState& s, const RodLoad& load);
+  template <class V>
+  [[gnu::always_inline]] inline void add_drag_of(V v, const RodState& s, const RodFluid& fluid, int j);
+  SWAGE_FOURS void add_drag_by_fours(const RodState& s, const RodFluid& fluid) {
+    for_each<Fours>(at(edges()), [&](auto v, size_t j) __attribute__((always_inline)) { add_drag_of(v, s, fluid, static_cast<int>(j)); });
+  }
+  void add_drag_by_twos(const RodState& s, const RodFluid& fluid) {
+    for_each<Twos>(at(edges()), [&](auto v, size_t j) __attribute__((always_inline)) { add_drag_of(v, s, fluid, static_cast<int>(j)); });
+  }
+  void add_pushed(const RodFluid& fluid);
   void add_springs(const RodLoad& load);
   void system(const RodState& s, const RodLoad& load, bool hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
@@ -250,6 +263,7 @@ class Rod {
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
   std::vector<double> diagonal_;  // of A_, before it was shifted
   mutable RodEdges now_, next_;  // of a state, and after a change
+  mutable RodAssembly parts_;
   mutable std::vector<double> gone_, carried_, sine_, cosine_;  // nodes, directors and joints after it
   bool slow_ = false;
   int way_ = -1;     // `stiffer` with which linearise() left A_; -1: it did not
@@ -259,5 +273,7 @@ class Rod {
 
 }  // namespace swage::toolkit
 
+#include "toolkit/rod_derivatives.hpp"
 #include "toolkit/rod_energy.hpp"
+#include "toolkit/rod_surroundings.hpp"
 #include "toolkit/rod_step.hpp"

@@ -4,6 +4,8 @@
 // bits that it would get alone. Header-only; the buffers are made on [main], the rest is [rt].
 #pragma once
 
+#include <cstring>
+#include <limits>
 #include <vector>
 
 #include "toolkit/math.hpp"
@@ -17,10 +19,16 @@ class RodEdges {
   RodEdges() = default;
   explicit RodEdges(size_t edges) : n_(edges) {
     for (std::vector<double>* v : {&x_, &y_, &z_, &length_, &inverse_}) v->resize(edges);
+    nodes_.assign(3 * (edges + 1), std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Computes the edges between nodes, 3 numbers each.
-  void find(const double* nodes) { has_fours() ? find_by_fours(nodes) : find_with<Twos>(nodes); }
+  /// Computes the edges between nodes, 3 numbers each; those of the nodes of the last call are there.
+  void find(const double* nodes) {
+    const size_t bytes = nodes_.size() * sizeof(double);
+    if (bytes == 0 || std::memcmp(nodes_.data(), nodes, bytes) == 0) return;
+    std::memcpy(nodes_.data(), nodes, bytes);
+    has_fours() ? find_by_fours(nodes) : find_with<Twos>(nodes);
+  }
   Vec3 t(size_t j) const { return {x_[j], y_[j], z_[j]}; }
   /// Unit tangents of the edges from j on.
   template <class V>
@@ -106,6 +114,7 @@ class RodEdges {
 
   size_t n_ = 0;
   std::vector<double> x_, y_, z_, length_, inverse_;
+  std::vector<double> nodes_;  // of which these are the edges
 };
 
 }  // namespace swage::toolkit

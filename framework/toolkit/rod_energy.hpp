@@ -91,27 +91,6 @@ inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const 
   return j;
 }
 
-/// Derivatives of the joints at V::n inner nodes from i on. now_ must hold their edges.
-template <class V>
-[[gnu::always_inline]] inline void Rod::differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const {
-  RodJoint<V> j;
-  V before, after;
-  j.te = now_.t(V{}, at(i - 1)), j.tf = now_.t(V{}, at(i));
-  j.inv_e = now_.inverse(V{}, at(i - 1)), j.inv_f = now_.inverse(V{}, at(i));
-  before.load(&rest_[at(i - 1)]), after.load(&rest_[at(i)]);
-  const V l = 0.5 * (before + after);
-  j.bend = section_.bending / l, j.turn = section_.twisting / l;
-  j.twist.load(s.twist + i);
-  if (memory_ != 0) {
-    V remembered;
-    remembered.load(&remembered_[at(i)]);
-    j.Ke = remembered * vectors(V{}, s.director + 3 * (i - 1)), j.Kf = remembered * vectors(V{}, s.director + 3 * i);
-  }
-  JointDerivatives<V> d;
-  j.differentiate(memory_ != 0, second, d);
-  d.apart(to);
-}
-
 inline double Rod::energy(const RodState& s) const {
   double E = 0;
   for (int j = 0; j < edges(); ++j) {
@@ -123,122 +102,6 @@ inline double Rod::energy(const RodState& s) const {
     for (int i = 0; i < n_; ++i)
       if (has_joint(i)) E += joint(s, i).energy(memory_ != 0).x;
   return E;
-}
-
-/// Adds a joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. A clamped end has only one of the two edges.
-inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) const {
-  if (i == 0) d.e = {}, d.ee = {}, d.ef = {}, d.e_tf = {};
-  if (i == n_ - 1) d.f = {}, d.ff = {}, d.ef = {}, d.e_tf = {}, d.f_te = {};
-  const int a = 4 * (i - 1), b = 4 * i, c = 4 * (i + 1);  // first unknowns of the three nodes
-  const bool has_e = i > 0, has_f = i < n_ - 1;
-#pragma GCC unroll 3
-  for (int r = 0; r < 3; ++r) {
-    if (has_e) gradient[a + r] -= d.e[r].x;
-    gradient[b + r] += d.e[r].x - d.f[r].x;
-    if (has_f) gradient[c + r] += d.f[r].x;
-  }
-  if (has_e) gradient[a + 3] += d.te.x;
-  if (has_f) gradient[b + 3] += d.tf.x;
-  if (hessian == nullptr) return;
-  if (has_e) add_before(a, has_f, d, *hessian);
-  add_middle(b, has_f, d, *hessian);
-  if (has_f) add_after(c, d, *hessian);
-}
-
-/// Adds the columns of the first node, at `a`, and of the rotation of its edge.
-inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) {
-  double* turn = H.column(a + 3);
-  turn[0] += d.te_te.x;
-#pragma GCC unroll 3
-  for (int col = 0; col < 3; ++col) {
-    double* h = H.column(a + col) - col;  // entry of unknown a + k at h[k]
-#pragma GCC unroll 3
-    for (int r = col; r < 3; ++r) h[r] += d.ee[col][r].x;
-    h[3] -= d.e_te[col].x;
-#pragma GCC unroll 3
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ee[col][r].x;
-    turn[1 + col] += d.e_te[col].x - d.f_te[col].x;
-    if (!has_f) continue;
-    h[7] -= d.e_tf[col].x;
-#pragma GCC unroll 3
-    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef[r][col].x;
-    turn[5 + col] += d.f_te[col].x;
-  }
-  if (has_f) turn[4] += d.te_tf.x;
-}
-
-inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) {
-#pragma GCC unroll 3
-  for (int col = 0; col < 3; ++col) {
-    double* h = H.column(b + col) - col;
-#pragma GCC unroll 3
-    for (int r = col; r < 3; ++r) h[r] += (d.ee[col][r].x + d.ff[col][r].x) - (d.ef[col][r].x + d.ef[r][col].x);
-    if (!has_f) continue;
-    h[3] += d.e_tf[col].x - d.f_tf[col].x;
-#pragma GCC unroll 3
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ff[col][r].x;
-  }
-}
-
-/// Adds the columns of the last node, at `c`, and of the rotation of the edge before it.
-inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
-  double* turn = H.column(c - 1);
-  turn[0] += d.tf_tf.x;
-#pragma GCC unroll 3
-  for (int col = 0; col < 3; ++col) {
-    turn[1 + col] += d.f_tf[col].x;
-    double* h = H.column(c + col) - col;
-#pragma GCC unroll 3
-    for (int r = col; r < 3; ++r) h[r] += d.ff[col][r].x;
-  }
-}
-
-/// Adds the stretching of an edge; across the edge it is stiffened by tension_, the tension of the linear model.
-inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const {
-  const double L = rest_[at(j)], k = section_.stretching / L;
-  const Vec3 f = (k * (1 / e.inverse - L)) * e.t;
-  const int a = 4 * j, b = a + 4;
-#pragma GCC unroll 3
-  for (int r = 0; r < 3; ++r) gradient[a + r] -= f[r], gradient[b + r] += f[r];
-  if (hessian == nullptr) return;
-  const double side = tension_[at(j)] * e.inverse;
-  const Vec3 along = (k - side) * e.t;
-#pragma GCC unroll 3
-  for (int col = 0; col < 3; ++col) {
-    double *Ha = hessian->column(a + col) - col, *Hb = hessian->column(b + col) - col;
-#pragma GCC unroll 3
-    for (int r = 0; r < 3; ++r) {
-      const double K = e.t[r] * along[col] + (r == col ? side : 0);
-      if (r >= col) Ha[r] += K, Hb[r] += K;
-      Ha[4 + r] -= K;
-    }
-  }
-}
-
-[[gnu::flatten]] inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
-  for (int k = 0; k < unknowns(); ++k) gradient[k] = 0;
-  if (hessian != nullptr) hessian->set_zero();
-  const bool bends = section_.bending > 0, second = hessian != nullptr, fours = has_fours();
-  now_.find(s.x);
-  Derivatives d[Fours::n];  // of the nodes from `first` to before `beyond`
-  int first = 0, beyond = 0;
-  const auto known = [&](int i) -> Derivatives& {
-    if (i < beyond) return d[i - first];
-    const int wide = fours ? Fours::n : Twos::n;
-    first = i, beyond = i + 1;
-    if (i == 0 || i + wide > n_ - 1) {
-      joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : found(i - 1), i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : found(i))
-          .differentiate(memory_ != 0, second, d[0]);
-    } else {
-      fours ? differentiate_four_joints(s, i, second, d) : differentiate_two_joints(s, i, second, d);
-      beyond = i + wide;
-    }
-    return d[0];
-  };
-  for (int i = 0; i < n_; ++i) {
-    if (bends && has_joint(i)) add(i, known(i), gradient, hessian);
-    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, found(i), gradient, hessian);
-  }
 }
 
 [[gnu::flatten]] inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
@@ -271,6 +134,7 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
   }
   std::copy_n(gone_.data(), 3 * n_, to.x);
   std::copy_n(carried_.data(), 3 * edges(), to.director);
+  std::swap(now_, next_);  // `to` is looked at next
 }
 
 inline double Rod::twisted(const RodState& s, int i, double before) const {

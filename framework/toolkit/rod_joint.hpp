@@ -21,20 +21,13 @@ template <class V>
 struct JointDerivatives {
   using Vec = Three<V>;
   using Mat = Three<Vec>;  // its columns
-  static constexpr int kNumbers = 50;
+  static constexpr int kNumbers = 50, kOfGradient = 8;  // the gradient comes first
 
   Vec e, f;                    // N, by the two edges
   V te, tf;                    // N m, by the two rotations
   Mat ee, ff, ef;              // N/m; ef: row by e, column by f
   Vec e_te, e_tf, f_te, f_tf;  // N
   V te_te, tf_tf, te_tf;       // N m
-
-  /// Writes the derivatives of each joint separately. `to`: V::n.
-  [[gnu::always_inline]] void apart(JointDerivatives<Ones>* to) const {
-    static_assert(sizeof(JointDerivatives) == kNumbers * sizeof(V));
-    const V* all = &e.x;
-    for (int k = 0; k < kNumbers; ++k) all[k].store(&to->e.x.x + k, kNumbers);
-  }
 };
 
 template <class V>

@@ -45,40 +45,6 @@ inline void Rod::begin_linear(const RodState& s) {
   std::fill(turned_.begin(), turned_.end(), 0.0);
 }
 
-/// Adds half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz. The added mass of a cylinder that moves across
-/// its axis is that of the displaced fluid (Lamb 1932, art. 68): it is in the same matrix, and its momentum in pushed_.
-[[gnu::flatten]] inline void Rod::add_drag(const RodState& s, const RodLoad& load) {
-  std::fill(drag_.begin(), drag_.end(), 0.0);
-  std::fill(pushed_.begin(), pushed_.end(), 0.0);
-  add_springs(load);
-  if (!(load.fluid.viscosity > 0) || load.h == 0) return;
-  const double carried = load.fluid.carried * std::numbers::pi * section_.radius * section_.radius;  // kg/m
-  now_.find(s.x);
-  for (int j = 0; j < edges(); ++j) {
-    const Vec3 t = now_.t(at(j));
-    for (const int i : {j, j + 1}) {
-      const double inertia = 0.5 * rest_[at(j)] * carried * m_hh_;
-      if (inertia > 0) {
-        const Vec3 goes = Eigen::Map<const Vec3>(hat_.data() + 3 * i) - Eigen::Map<const Vec3>(x0_.data() + 3 * i);
-        Eigen::Map<Vec3>(pushed_.data() + 3 * i) += inertia * (goes - goes.dot(t) * t);
-      }
-      const Vec3 v = s.velocity(i);
-      const double c =
-          0.5 * rest_[at(j)] * rod_drag(load.fluid, 2 * section_.radius, (v - v.dot(t) * t).norm());
-      double* D = drag_.data() + 6 * i;
-      for (int col = 0, k = 0; col < 3; ++col)
-        for (int r = col; r < 3; ++r, ++k) {
-          D[k] += c / g_ * ((r == col ? 1 : 0) - 0.5 * t[r] * t[col]);
-          if (inertia > 0) D[k] += inertia * ((r == col ? 1 : 0) - t[r] * t[col]);
-        }
-    }
-  }
-}
-
-inline void Rod::add_springs(const RodLoad& load) {
-  for (size_t k = 0; load.h > 0 && k < load.spring.size(); ++k) drag_[k] += load.spring[k];
-}
-
 /// Gradient of the step's potential and, when asked for, its Hessian.
 [[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
   way_ = -1;
@@ -97,10 +63,12 @@ inline void Rod::add_springs(const RodLoad& load) {
       if (!load.force.empty()) F -= load.force[at(k)];
       F -= pushed_[at(k)];
       gradient_[at(4 * i + r)] += F;
-      if (!hessian) continue;
-      A_.at(4 * i + r, 4 * i + r) += w;
-      for (int c = 0; c <= r; ++c) A_.at(4 * i + r, 4 * i + c) += DD[r][c];
     }
+    if (!hessian) continue;
+    double *x = A_.column(4 * i), *y = A_.column(4 * i + 1), *z = A_.column(4 * i + 2);
+    x[0] += w, x[0] += D[0], x[1] += D[1], x[2] += D[2];
+    y[0] += w, y[0] += D[3], y[1] += D[4];
+    z[0] += w, z[0] += D[5];
   }
   for (int j = 0; j < edges(); ++j) {
     const double L = rest_[at(j)], k = section_.twisting / L;
