@@ -30,7 +30,7 @@ struct Rules {
   Word asked{1, {1}};
   double most_gap = 0.1e-3;                 // m, between the edges
   double most_loop = 7e-3;                  // m, length of thread between the two strands of the first throw
-  double most_throw = 3e-3;                 // m, of thread that one strand may take in a throw: less asks for a tighter throw than segments of 0.4 mm can tell
+  double most_throw = 2e-3;                 // m, of thread that one strand may take in a throw. Drawn down 8-0 takes 1.2, and is read to two segments of 0.4; with 3 a throw may stand off by 2
   double tension = 20e-3;                   // N, limit
   double force_low = 0.05, force_high = 1;  // N
   double most_cut = 0.3e-3;                 // m, by which the thread may cut the tissue

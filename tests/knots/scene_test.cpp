@@ -137,9 +137,9 @@ Lies square_knot(double spacing) {
 }
 
 TEST(KnotPlaces, AThrowThatStandsOffTakesTheWayToTheOneBefore) {
-  const Lies near = square_knot(6), far = square_knot(16), farther = square_knot(26);
-  EXPECT_NEAR(far.loosest / far.unit - near.loosest / near.unit, 10, 1.5);
-  EXPECT_NEAR(farther.loosest / farther.unit - far.loosest / far.unit, 10, 1.5);
+  const Lies near = square_knot(6), far = square_knot(8), farther = square_knot(10);
+  EXPECT_NEAR(far.loosest / far.unit - near.loosest / near.unit, 2, 0.5);
+  EXPECT_NEAR(farther.loosest / farther.unit - far.loosest / far.unit, 2, 0.5);
   for (const Lies& knot : {near, far, farther}) {
     EXPECT_GT(knot.from, 0);
     EXPECT_LT(knot.to, kLength);
