@@ -119,9 +119,12 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
 
   const bool snug = look.loop <= rules_.most_loop;
   const bool hard = finding.too_hard[0] || finding.too_hard[1];
-  const bool good = finding.tied && !finding.sliding && !finding.loose && finding.together && snug && !finding.taut && !hard;
+  // the ends are cut off a knot that was flat: from then on it is to keep the edges, as three millimetres of bent thread tell no form
+  const bool was_flat = rules_.cut && memory.flat != 0 && ends_good(memory);
+  const bool good = finding.tied && (was_flat || !finding.sliding) && !finding.loose && finding.together && snug && !finding.taut && !hard;
   memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
+  if (memory.hold_s >= rules_.hold_time) memory.flat = 1;
   finding.stage = stage(memory, look, finding, good);
 }
 

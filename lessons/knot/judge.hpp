@@ -79,7 +79,7 @@ struct Memory {
   double held_s = 0, over_s = 0, taut_s = 0;
   double least_gap = 1, cut = 0, tail = 0;  // m
   double hold_s = 0, best_hold_s = 0, wrong_s = 0, passed = 0;
-  double cuts = 0, severed = 0, end[2] = {0, 0};  // severed: 1: where the knot needs the thread; m: long end and tail, once cut
+  double cuts = 0, severed = 0, flat = 0, end[2] = {0, 0};  // 1: cut where the knot needs the thread; 1: kept flat once; m: long end and tail, once cut
 };
 
 enum class Stage { kTake, kWind, kTail, kDraw, kLay, kHold, kCutEnds, kDone };

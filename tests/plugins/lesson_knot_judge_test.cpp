@@ -142,6 +142,20 @@ TEST(KnotJudge, BothEndsAreCutToLengthAndTheKnotKeepsWithoutTheHands) {
   EXPECT_EQ(end.score, 100);
 }
 
+// what is judged of the form is judged while hands hold the ends: short ends tell none
+TEST(KnotJudge, AKnotThatWasFlatMayBeToldAsSlidingOnceItsEndsAreCut) {
+  for (const bool was_flat : {true, false}) {
+    Attempt a(ends_are_cut());
+    a.tie(word({1, -1}));
+    a.now.sliding = was_flat ? 0 : 1;
+    a.go(1100);
+    a.now.sliding = 1;
+    EXPECT_EQ(a.go(10).stage, Stage::kLay);
+    a.cut(23e-3), a.cut(9e-3);
+    EXPECT_EQ(a.go(1100).end, was_flat ? End::kPassed : End::kRunning);
+  }
+}
+
 TEST(KnotJudge, WhereACutEndsTheAttempt) {
   const auto end = [](double at, const Word& tied, const Rules& rules) {
     Attempt a(rules);
