@@ -112,16 +112,16 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   const bool another = finding.wrong && throws >= static_cast<int>(rules_.asked.throws);
   memory.wrong_s = another ? memory.wrong_s + look.dt_s : 0;
   finding.tied = !look.tangled && look.word.is(rules_.asked);
-  finding.sliding = throws > 0 && look.sliding > 0;
+  // the ends are cut off a knot that was flat while hands drew it: ends that are slack, or short and bent, tell no form
+  const bool was_flat = rules_.cut && memory.flat != 0;
+  finding.sliding = throws > 0 && look.sliding > 0 && !was_flat;
   finding.loose = finding.tied && look.loosest > rules_.most_throw;
   finding.together = look.gap <= rules_.most_gap;
   memory.least_gap = std::min(memory.least_gap, look.gap);
 
   const bool snug = look.loop <= rules_.most_loop;
   const bool hard = finding.too_hard[0] || finding.too_hard[1];
-  // the ends are cut off a knot that was flat: from then on it is to keep the edges, as three millimetres of bent thread tell no form
-  const bool was_flat = rules_.cut && memory.flat != 0 && ends_good(memory);
-  const bool good = finding.tied && (was_flat || !finding.sliding) && !finding.loose && finding.together && snug && !finding.taut && !hard;
+  const bool good = finding.tied && !finding.sliding && !finding.loose && finding.together && snug && !finding.taut && !hard;
   memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
   if (memory.hold_s >= rules_.hold_time) memory.flat = 1;

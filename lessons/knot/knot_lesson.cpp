@@ -286,7 +286,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kThrows, m.most_like);
   tell(verdict, Measure::kUndone, m.undone);
   tell(verdict, Measure::kWrong, m.wrong);
-  tell(verdict, Measure::kSliding, look.sliding);
+  if (m.flat == 0) tell(verdict, Measure::kSliding, look.sliding);  // as it was when it was judged
   if (look.word.throws > 0) {
     tell(verdict, Measure::kLoop, look.loop);
     tell(verdict, Measure::kLoosest, look.loosest);
