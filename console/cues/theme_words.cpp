@@ -49,6 +49,7 @@ const char* const kWords[] = {
     QT_TRANSLATE_NOOP("themes", "Turns are on: keep them drawn"),
     QT_TRANSLATE_NOOP("themes", "Too many turns"),
     QT_TRANSLATE_NOOP("themes", "Tied, and flat"),
+    QT_TRANSLATE_NOOP("themes", "A throw is loose: draw it down"),
     QT_TRANSLATE_NOOP("themes", "Not this throw, or it slides"),
     QT_TRANSLATE_NOOP("themes", "Edges together"),
     QT_TRANSLATE_NOOP("themes", "The needle is bent"),

@@ -5827,6 +5827,10 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Geknüpft, liegt flach</translation>
     </message>
     <message>
+        <source>A throw is loose: draw it down</source>
+        <translation>Ein Wurf ist lose: festziehen</translation>
+    </message>
+    <message>
         <source>Not this throw, or it slides</source>
         <translation>Falscher Wurf, er gleitet</translation>
     </message>

@@ -26,6 +26,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   Finding finding;
   follow_hands(memory, look, finding);
   follow_force(memory, look, finding);
+  follow_cut(memory, look, finding);
   follow_knot(memory, look, finding);
   decide(memory, look, finding);
   return finding;
@@ -81,6 +82,21 @@ void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) con
   if (memory.pull.now > rules_.tension) memory.taut_s += look.dt_s;
 }
 
+bool Judge::end_good(const Memory& memory, int end) const noexcept {
+  return memory.end[end] > 0 && std::abs(memory.end[end] - rules_.tail) <= rules_.tail_tolerance;
+}
+
+/// An end that is still too long may be cut again. What was kept before counts no more: the knot is to keep by itself.
+void Judge::follow_cut(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  if (!rules_.cut || look.cut_at < 0) return;
+  memory.cuts += 1;
+  memory.hold_s = 0;
+  const bool tied = look.word.throws >= rules_.asked.throws, long_end = look.cut_at < look.from;
+  finding.cut = tied && (long_end || look.cut_at > look.to);
+  if (!finding.cut) return void(memory.severed = 1);
+  memory.end[long_end ? 0 : 1] = long_end ? look.from - look.cut_at : look.cut_at - look.to;
+}
+
 void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const int like = look.word.like(rules_.asked);
   const int throws = static_cast<int>(look.word.throws);
@@ -96,20 +112,25 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   const bool another = finding.wrong && throws >= static_cast<int>(rules_.asked.throws);
   memory.wrong_s = another ? memory.wrong_s + look.dt_s : 0;
   finding.tied = !look.tangled && look.word.is(rules_.asked);
-  finding.sliding = throws > 0 && look.sliding > 0;
+  // the ends are cut off a knot that was flat while hands drew it: ends that are slack, or short and bent, tell no form
+  const bool was_flat = rules_.cut && memory.flat != 0;
+  finding.sliding = throws > 0 && look.sliding > 0 && !was_flat;
+  finding.loose = finding.tied && look.loosest > rules_.most_throw;
   finding.together = look.gap <= rules_.most_gap;
   memory.least_gap = std::min(memory.least_gap, look.gap);
 
   const bool snug = look.loop <= rules_.most_loop;
   const bool hard = finding.too_hard[0] || finding.too_hard[1];
-  const bool good = finding.tied && !finding.sliding && finding.together && snug && !finding.taut && !hard;
+  const bool good = finding.tied && !finding.sliding && !finding.loose && finding.together && snug && !finding.taut && !hard;
   memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
-  finding.stage = stage(look, finding, good);
+  if (memory.hold_s >= rules_.hold_time) memory.flat = 1;
+  finding.stage = stage(memory, look, finding, good);
 }
 
-Stage Judge::stage(const Look& look, const Finding& finding, bool good) const noexcept {
-  if (look.word.throws >= rules_.asked.throws) return good ? Stage::kHold : Stage::kLay;
+Stage Judge::stage(const Memory& memory, const Look& look, const Finding& finding, bool good) const noexcept {
+  const bool to_cut = memory.best_hold_s >= rules_.hold_time && !ends_good(memory);
+  if (look.word.throws >= rules_.asked.throws) return !good ? Stage::kLay : to_cut ? Stage::kCutEnds : Stage::kHold;
   if (!finding.held) return Stage::kTake;
   if (look.held[1]) return Stage::kDraw;
   return std::abs(look.turns) >= kWound ? Stage::kTail : Stage::kWind;
@@ -117,8 +138,11 @@ Stage Judge::stage(const Look& look, const Finding& finding, bool good) const no
 
 End Judge::end(const Memory& memory, const Look& look) const noexcept {
   if (look.passages > 0) return End::kPassage;  // the thread passed through itself: the knot is no longer valid
-  if (memory.hold_s >= rules_.hold_time) return End::kPassed;
-  if (look.parted > 0) return End::kBroken;
+  if (memory.hold_s >= rules_.hold_time && ends_good(memory)) return End::kPassed;
+  if (memory.severed != 0) return End::kSevered;
+  for (const double end : memory.end)
+    if (end > 0 && end < rules_.tail - rules_.tail_tolerance) return End::kTailShort;
+  if (look.parted > memory.cuts) return End::kBroken;
   if (!look.through) return End::kDrawnOut;
   if (memory.cut > rules_.most_cut) return End::kCut;
   if (rules_.ends && memory.drops > rules_.max_drops) return End::kDropped;
@@ -133,8 +157,10 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
   finding.stage = Stage::kDone;
   finding.lost = points(memory, look.time_s);
   memory.passed = finding.end == End::kPassed ? 1 : 0;
-  // an attempt that did not pass scores at most 40: the share of the throws and of the hold that was reached
-  const double share = 0.5 * (memory.most_like / rules_.asked.throws + std::min(1.0, memory.best_hold_s / rules_.hold_time));
+  // an attempt that did not pass scores at most 40: the share of the throws, of the hold and of the ends that was reached
+  const double throws = memory.most_like / rules_.asked.throws, hold = std::min(1.0, memory.best_hold_s / rules_.hold_time);
+  const double ends = 0.5 * (end_good(memory, 0) + end_good(memory, 1));
+  const double share = rules_.cut ? (throws + hold + ends) / 3 : 0.5 * (throws + hold);
   finding.score = memory.passed != 0 ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;
 }
 
@@ -145,6 +171,9 @@ Points Judge::points(const Memory& memory, double time_s) const noexcept {
   lost.tension = memory.held_s > 0 ? 40 * memory.taut_s / memory.held_s : 0;
   lost.force = memory.held_s > 0 ? 40 * memory.over_s / memory.held_s : 0;
   lost.cut = 20 * std::min(1.0, memory.cut / rules_.most_cut);
+  double off = 0;
+  for (const double end : memory.end) off = std::max(off, end > 0 ? std::abs(end - rules_.tail) : 0);
+  lost.tails = rules_.cut ? 10 * std::clamp(2 * off / rules_.tail_tolerance - 1, 0.0, 1.0) : 0;
   lost.time = 15 * std::clamp(task_time(memory, time_s) / rules_.par_time - 1, 0.0, 1.0);
   return lost;
 }

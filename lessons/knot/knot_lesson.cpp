@@ -20,6 +20,7 @@ namespace {
 
 // m, from the middle of the grasp towards the stitch: outside of tips of 0.3 mm and one segment of 0.4 mm on. Nearer, the bend in the jaws counts as a pull.
 constexpr double kBeside = 0.8e-3;
+constexpr double kMarkRadius = 60e-6;  // m, drawn: somewhat thicker than 8-0
 constexpr double kTangled = 5;  // knot.kind of a thread with any other knot
 
 /// Reads throws such as "2 -1 1". False for any other text.
@@ -45,7 +46,11 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   if (params.left == params.right) builder.error("right", "a wound has two edges, not one");
   if (!read_word(params.word, asked_)) builder.error("word", "a word is one to six whole numbers that are not 0, such as \"1 -1\"");
   builder.state<Kept>();
-  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
+  const auto shows = [&](size_t i) { return i != index(Sign::kTailGood) || has_cut(); };
+  const auto tells = [&](size_t i) {
+    return has_cut() || (i != index(Measure::kTailLeast) && i != index(Measure::kTailMost) && i != index(Measure::kPointsTails));
+  };
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
   const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
   phase(Stage::kTake, "take", "Take the long end of the thread with one instrument.");
   phase(Stage::kWind, "wind", "Wind it about the tips of the other.");
@@ -53,9 +58,11 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   phase(Stage::kDraw, "draw", "Draw the tail through the loop.");
   phase(Stage::kLay, "lay", "Lay the throw down flat, each end to the other side, until the edges come together.");
   phase(Stage::kHold, "hold", "Keep it so.");
+  if (has_cut()) phase(Stage::kCutEnds, "cut", "Cut both ends with the scissors, as long as the marks show.");
   phase(Stage::kDone, "done", "The attempt is over.");
   dropped_ = builder.event("thread.dropped", "The thread has got out of the jaws that wind it.");
   undone_ = builder.event("knot.came_undone", "A throw that was tied has come undone.");
+  if (has_cut()) cut_off_ = builder.event("suture.cut_off", "An end was cut; value: what is left of it at the knot, m.");
   const auto failed = [&](End end, const char* key, const char* doc) { failed_[index(end)] = builder.event(key, doc); };
   failed(End::kPassage, "failed.passage",
          "The simulation has let the thread go through itself or the instrument: what was tied is not to be trusted.");
@@ -66,6 +73,9 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   failed(End::kTooHard, "failed.too_hard", "The thread was gripped too hard for too long.");
   failed(End::kWrong, "failed.wrong", "Another knot was tied than the one that is asked for.");
   failed(End::kOutOfTime, "failed.out_of_time", "Time ran out before the knot was tied and drawn down.");
+  if (!has_cut()) return;
+  failed(End::kSevered, "failed.severed", "The thread was cut in the knot or its loop, or before all throws were tied.");
+  failed(End::kTailShort, "failed.tail_short", "An end was cut too near to the knot, which slips.");
 }
 
 void KnotLesson::bind(const Scene& scene, Binder& binder) {
@@ -108,9 +118,16 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
   kind_ = signal(p.knot, "knot.kind");
   sliding_ = signal(p.knot, "knot.sliding");
   loop_ = signal(p.knot, "knot.loop");
+  from_ = signal(p.knot, "knot.from");
+  to_ = signal(p.knot, "knot.to");
+  loosest_ = signal(p.knot, "knot.loosest");
   through_itself_ = signal(p.thread, "thread.passed");
   parted_ = signal(p.thread, "thread.parted");
   squeeze_ = scene.find_signal(p.winder, "grip.command");
+  if (!has_cut()) return;
+  cut_ = scene.find_event(p.cut, "cut.parted");
+  if (!cut_.valid()) binder.missing(scene, "event", p.cut, "cut.parted", lessons::say::kWatched());
+  for (Mark& end : end_) end = binder.mark_point({0, 0, 0}, kMarkRadius, "tail.point");
 }
 
 void KnotLesson::activate(double dt_s) {
@@ -120,6 +137,10 @@ void KnotLesson::activate(double dt_s) {
   rules.asked = asked_;
   rules.most_gap = p.most_gap;
   rules.most_loop = p.most_loop;
+  rules.most_throw = p.most_throw;
+  rules.cut = has_cut();
+  rules.tail = p.tail;
+  rules.tail_tolerance = p.tail_tolerance;
   rules.tension = p.tension;
   rules.most_cut = p.most_cut;
   rules.wrong_time = p.wrong_time;
@@ -134,6 +155,12 @@ void KnotLesson::read_knot(const View& view, Look& look) const {
   look.tangled = view.signal(kind_) == kTangled;
   look.sliding = view.signal(sliding_);
   look.loop = view.signal(loop_);
+  look.from = view.signal(from_);
+  look.to = view.signal(to_);
+  look.loosest = view.signal(loosest_);
+  if (has_cut())
+    for (const swage_view_event& event : view.events())
+      if (event.event == cut_) look.cut_at = event.value;
   look.passages = view.signal(through_) + view.signal(through_itself_);
 }
 
@@ -179,7 +206,23 @@ void KnotLesson::observe(const View& view, const Verdict& verdict, std::span<dou
   report(kept.memory, look, verdict);
   report_work(kept.work, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
+  if (finding.cut) verdict.event(cut_off_, kept.memory.end[look.cut_at < look.from ? 0 : 1]);
+  if (has_cut()) show_ends(view, look, kept.memory, verdict);
   say(finding, verdict);
+}
+
+/// Moves the marks to where the ends are to be cut: beyond the knot, as long as there is none beyond the edges.
+void KnotLesson::show_ends(const View& view, const Look& look, const Memory& memory, const Verdict& verdict) const {
+  const Step thread = view.object(thread_object_);
+  const auto law = strand_.law(thread);
+  if (!law) return;
+  const bool knot = look.word.throws > 0;
+  const double from = knot ? look.from : view.signal(side_[1].out), to = knot ? look.to : law->length - look.tail;
+  const double s[2] = {from - params().tail, to + params().tail};
+  for (int i = 0; i < 2; ++i) {
+    const auto place = strand_.place(thread, std::clamp(s[i], 0.0, law->length));
+    if (place) verdict.mark(end_[i], judge_.end_good(memory, i) ? cue_[index(Sign::kTailGood)] : Cue(), &place->p_W);
+  }
 }
 
 void KnotLesson::follow_work(const View& view, const Look& look, Kept& kept) const {
@@ -217,7 +260,7 @@ void KnotLesson::say(const Finding& finding, const Verdict& verdict) const {
     is ? verdict.cue(object, cue_[index(sign)]) : verdict.clear_cue(object);
   };
   const bool wrong = finding.wrong || finding.sliding;
-  const Sign thread = finding.taut ? Sign::kTaut : wrong ? Sign::kWrong : finding.tied ? Sign::kTied : Sign::kHeld;
+  const Sign thread = finding.taut ? Sign::kTaut : wrong ? Sign::kWrong : finding.loose ? Sign::kLoose : finding.tied ? Sign::kTied : Sign::kHeld;
   show(thread_object_, finding.held || finding.taut || wrong || finding.tied, thread);
   show(gripper_object_[0], finding.too_hard[0], Sign::kTooHard);
   const bool on = finding.stage == Stage::kTail;
@@ -243,8 +286,11 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kThrows, m.most_like);
   tell(verdict, Measure::kUndone, m.undone);
   tell(verdict, Measure::kWrong, m.wrong);
-  tell(verdict, Measure::kSliding, look.sliding);
-  if (look.word.throws > 0) tell(verdict, Measure::kLoop, look.loop);
+  if (m.flat == 0) tell(verdict, Measure::kSliding, look.sliding);  // as it was when it was judged
+  if (look.word.throws > 0) {
+    tell(verdict, Measure::kLoop, look.loop);
+    tell(verdict, Measure::kLoosest, look.loosest);
+  }
   tell(verdict, Measure::kGap, look.gap);
   tell(verdict, Measure::kCut, m.cut);
   tell(verdict, Measure::kTail, look.tail);
@@ -255,6 +301,10 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   tell(verdict, Measure::kPassages, m.passages);
   if (m.held_s > 0) report_held(m, verdict);
+  if (m.end[0] + m.end[1] <= 0) return;
+  const double other = m.end[0] > 0 ? m.end[0] : m.end[1];
+  tell(verdict, Measure::kTailLeast, std::min(other, m.end[1] > 0 ? m.end[1] : other));
+  tell(verdict, Measure::kTailMost, std::max(m.end[0], m.end[1]));
 }
 
 void KnotLesson::report_work(const WorkState& work, const Verdict& verdict) const {
@@ -279,6 +329,7 @@ void KnotLesson::report_points(const Points& lost, const Verdict& verdict) const
   tell(verdict, Measure::kPointsTension, lost.tension);
   tell(verdict, Measure::kPointsForce, lost.force);
   tell(verdict, Measure::kPointsCut, lost.cut);
+  if (has_cut()) tell(verdict, Measure::kPointsTails, lost.tails);
   tell(verdict, Measure::kPointsTime, lost.time);
 }
 

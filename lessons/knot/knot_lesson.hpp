@@ -24,10 +24,14 @@ struct KnotLessonParams {
   double gap = 0.4e-3;                                       // m
   double most_gap = Rules{}.most_gap;                        // m
   double most_loop = Rules{}.most_loop;                      // m
+  double most_throw = Rules{}.most_throw;                    // m
   double tension = Rules{}.tension;                          // N
   double most_cut = Rules{}.most_cut;                        // m
   Interval force = {Rules{}.force_low, Rules{}.force_high};  // N
   double hold_time = Rules{}.hold_time;                      // s
+  std::string cut;
+  double tail = Rules{}.tail;                                // m
+  double tail_tolerance = Rules{}.tail_tolerance;            // m
   double par_time = Rules{}.par_time;                        // s
   double max_time = Rules{}.max_time;                        // s
   double max_over_time = Rules{}.max_over_time;              // s
@@ -69,10 +73,14 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
       real<&P::gap>("gap", "Gap", "m", "mm", 0, 5e-3, "Between the edges at rest."),
       real<&P::most_gap>("most_gap", "Edges together", "m", "mm", 0, 5e-3, "Distance of the edges that counts as together."),
       real<&P::most_loop>("most_loop", "Drawn down", "m", "mm", 0.1e-3, 0.1, "Length of the loop around the tissue that counts as drawn down."),
+      real<&P::most_throw>("most_throw", "Throw drawn down", "m", "mm", 0.1e-3, 0.1, "Thread that one strand takes in a throw, from the throw before it on, that counts as drawn down."),
       real<&P::tension>("tension", "Limit of the tension", "N", "mN", 0.1e-3, 10, "Above this the stitch is too tight: tissue blanches and is cut."),
       real<&P::most_cut>("most_cut", "Limit of the cut", "m", "mm", 1e-6, 10e-3, "The attempt fails when the thread has cut the tissue farther than this."),
       interval<&P::force>("force", "Force", "N", "N", 0, 100, "Grip force that holds the thread without crushing it."),
       real<&P::hold_time>("hold_time", "Hold", "s", "s", 0.01, 600, "How long the knot is to be kept as it is asked for."),
+      text<&P::cut>("cut", "Cut", "Name of the cut coupling by which both ends are cut off, as long as a tail is to be; without one: they are not."),
+      real<&P::tail>("tail", "Tail", "m", "mm", 0.1e-3, 0.1, "Thread that is to be left of each end at the knot."),
+      real<&P::tail_tolerance>("tail_tolerance", "Tolerance of the tail", "m", "mm", 0.01e-3, 0.1, "By so much an end may be longer or shorter."),
       real<&P::par_time>("par_time", "Par time", "s", "s", 0.1, 3600, "Up to here no points are lost for time; twice this costs all that time can cost.").group("Limits"),
       real<&P::max_time>("max_time", "Time limit", "s", "s", 1, 36000, "The attempt fails when it is over.").group("Limits"),
       real<&P::max_over_time>("max_over_time", "Too hard for", "s", "s", 0, 600, "The attempt fails when the thread was gripped too hard for longer than this.").group("Limits"),
@@ -103,6 +111,8 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   void find_knot(const Scene& scene, Binder& binder);
   double long_tension(const View& view) const;
   void read_knot(const View& view, Look& look) const;
+  bool has_cut() const { return !params().cut.empty(); }
+  void show_ends(const View& view, const Look& look, const Memory& memory, const Verdict& verdict) const;
   bool read(const View& view, Look& look) const;
   void follow_work(const View& view, const Look& look, Kept& kept) const;
   double air_gap(const View& view, double loop) const;
@@ -121,10 +131,11 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   StrandPeer strand_;
   lessons::GraspSignals grasp_[2];
   Side side_[2];  // left, right
-  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_, squeeze_;
+  Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, from_, to_, loosest_, parted_, squeeze_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
-  Phase phase_[7];
-  Event dropped_, undone_, failed_[10];
+  Phase phase_[8];
+  Event dropped_, undone_, cut_off_, cut_, failed_[12];
+  Mark end_[2];  // where the long end and the tail are to be cut
   Metric metric_[static_cast<size_t>(Measure::kCount)];
 };
 

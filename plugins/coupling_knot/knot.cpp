@@ -23,6 +23,22 @@ Kind kind_of(const KnotTold& told) {
   return square ? Kind::kSquare : granny ? Kind::kGranny : Kind::kMixed;
 }
 
+/// Thread that one strand takes in the loosest throw, in places: from the throw before it, of the first throw from its own beginning.
+double loosest(const toolkit::KnotWord& word) {
+  double most = 0;
+  for (int i = 0; i < word.throws; ++i) {
+    const toolkit::KnotThrow& t = word.tied[static_cast<size_t>(i)];
+    double inner[2] = {t.strand[0].last, t.strand[1].first};
+    if (i > 0) {
+      const toolkit::KnotThrow& before = word.tied[static_cast<size_t>(i - 1)];
+      if (before.knot != t.knot) break;
+      inner[0] = before.strand[0].first, inner[1] = before.strand[1].last;
+    }
+    most = std::max({most, inner[0] - t.strand[0].first, t.strand[1].last - inner[1]});
+  }
+  return most;
+}
+
 }  // namespace
 
 void Knot::build(const KnotParams& params, CouplingBuilder& builder) {
@@ -36,6 +52,9 @@ void Knot::build(const KnotParams& params, CouplingBuilder& builder) {
                          "0 no knot, 1 half knot, 2 square (signs take turns), 3 granny (signs alike), 4 of both, 5 knotted in another way.");
   sliding_ = builder.signal("knot.sliding", "1", "Throws in which one strand runs straight: they slide.");
   loop_ = builder.signal("knot.loop", "m", "Length of the thread from one strand of the first throw to the other: what the knot is tied around; 0: no knot.");
+  from_ = builder.signal("knot.from", "m", "Where the knot begins, from the thread's first end: all throws and the loop lie between there and knot.to; 0: no knot.");
+  to_ = builder.signal("knot.to", "m", "Where it ends; 0: no knot.");
+  loosest_ = builder.signal("knot.loosest", "m", "Thread that one strand takes in the loosest throw, from the throw before it on: a throw that is drawn down takes little; 0: no knot.");
   certain_ = builder.signal("knot.certain", "1", "1 when all views of the thread agreed in the last reading, else 0.");
   passages_ = builder.signal("knot.passages", "1", "How often the thread has gone through itself.");
   tied_event_ = builder.event("knot.tied", "A throw has been tied; value: its turns with their sign.");
@@ -54,27 +73,33 @@ void Knot::bind(const Peer& a, const Peer& b) {
 
 void Knot::reset(const CouplingStep& step) { step.state<KnotState>() = {}; }
 
-/// Finds the longest piece of the thread that has not broken, and its places.
-void Knot::look(const CouplingStep& step) {
+/// Finds the piece of the thread that has the knot, of one without a knot the longest that has not broken, and its places.
+void Knot::look(const CouplingStep& step, const KnotState& state) {
   places_ = 0;
   const auto law = thread_.law(step.a());
   if (!law) return;
   length_ = law->length;
+  const double knot = state.told.throws > 0 ? 0.5 * (state.from + state.to) / length_ * (params_.places - 1) : -1;
   int run = 0;
+  bool found = false;
   for (int i = 0; i < params_.places; ++i) {
     const auto place = thread_.place(step.a(), length_ * i / (params_.places - 1));
     if (!place) return void(places_ = 0);
     const swage_vec3& p = place->p_W;
     p_W_[3 * i] = p.x, p_W_[3 * i + 1] = p.y, p_W_[3 * i + 2] = p.z;
     run = place->parted != 0 ? 0 : run + 1;
-    if (run > places_) places_ = run, first_ = i + 1 - run;
+    const bool has_knot = i + 1 - run <= knot && knot <= i;
+    if (has_knot || (!found && run > places_)) places_ = run, first_ = i + 1 - run;
+    found = found || has_knot;
   }
 }
 
 void Knot::find_passages(const CouplingStep& step, KnotState& state) {
   const double* now = p_W_ + 3 * first_;
-  if (state.places == places_ && state.first == first_ && std::equal(now, now + 3 * places_, state.p_W)) return;
-  if (state.places == places_ && state.first == first_) {
+  const bool same = state.places == places_ && state.first == first_;
+  if (same && std::equal(now, now + 3 * places_, state.p_W)) return;
+  if (!same) state.reading = 0, state.wait_s = 0;  // what is being read is another piece
+  if (same) {
     const int n = finder_.find(state.p_W, now, places_, found_);
     state.passages += std::max(0, n);
     for (const toolkit::KnotPassage& p : found_)
@@ -90,8 +115,7 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
   state.sliding = 0;
   if (said.certain) {
     seen.throws = said.word.throws;
-    const toolkit::KnotThrow& first = said.word.tied[0];
-    state.loop = said.word.throws > 0 ? length_ * (first.strand[1].first - first.strand[0].last) / (params_.places - 1) : 0;
+    if (said.word.throws > 0) take_places(said.word, state);
     for (int i = 0; i < said.word.throws; ++i) {
       const toolkit::KnotThrow& t = said.word.tied[static_cast<size_t>(i)];
       if (i < KnotTold::kThrows) seen.tied[i] = t.sign * t.turns;
@@ -103,6 +127,17 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
     return;  // the projections contradicted each other: the last reading is kept
   }
   if (!(seen == state.seen)) state.seen = seen, state.seen_s = 0;
+}
+
+void Knot::take_places(const toolkit::KnotWord& word, KnotState& state) const {
+  const double place = length_ / (params_.places - 1);
+  int outer = 0;
+  while (outer + 1 < word.throws && word.tied[static_cast<size_t>(outer + 1)].knot == word.tied[0].knot) ++outer;
+  const toolkit::KnotThrow &first = word.tied[0], &last = word.tied[static_cast<size_t>(outer)];
+  state.loop = place * (first.strand[1].first - first.strand[0].last);
+  state.from = place * (first_ + last.strand[0].first);
+  state.to = place * (first_ + last.strand[1].last);
+  state.loosest = place * loosest(word);
 }
 
 void Knot::read(const CouplingStep& step, KnotState& state) {
@@ -142,20 +177,24 @@ void Knot::write(const CouplingStep& step, const KnotState& state) const {
   for (int i = 0; i < KnotTold::kThrows; ++i) step.signal(tied_[i], state.told.tied[i]);
   step.signal(kind_, static_cast<int>(kind_of(state.told)));
   step.signal(sliding_, state.sliding);
-  step.signal(loop_, state.told.throws > 0 ? state.loop : 0);
+  const bool tied = state.told.throws > 0;
+  step.signal(loop_, tied ? state.loop : 0);
+  step.signal(from_, tied ? state.from : 0);
+  step.signal(to_, tied ? state.to : 0);
+  step.signal(loosest_, tied ? state.loosest : 0);
   step.signal(certain_, state.certain);
   step.signal(passages_, state.passages);
 }
 
 /// A step may be done in substeps: the thread is where the last substep left it.
 void Knot::resolve(const CouplingStep& step) {
-  look(step);
+  look(step, step.state<KnotState>());
   if (places_ > 1) find_passages(step, step.state<KnotState>());
 }
 
 void Knot::finish(const CouplingStep& step) {
   KnotState& state = step.state<KnotState>();
-  look(step);
+  look(step, state);
   if (places_ > 1) {
     find_passages(step, state);
     read(step, state);

@@ -36,6 +36,8 @@ struct KnotState {
   double seen_s = 0;             // s, time for which `seen` has been unchanged
   double sliding = 0, certain = 1, passages = 0;
   double loop = 0;  // m, of thread between the two strands of the first throw
+  double from = 0, to = 0;  // m from the first end: between these places all throws lie, with the loop
+  double loosest = 0;       // m, of thread that one strand takes in the loosest throw
   double p_W[3 * toolkit::KnotPassages::kNodes] = {};  // m, places in the step before
   toolkit::KnotThread thread;
 };
@@ -72,16 +74,17 @@ class Knot final : public Coupling<KnotParams> {
   void finish(const CouplingStep& step) override;
 
  private:
-  void look(const CouplingStep& step);
+  void look(const CouplingStep& step, const KnotState& state);
   void find_passages(const CouplingStep& step, KnotState& state);
   void read(const CouplingStep& step, KnotState& state);
   void take(const toolkit::KnotName& said, KnotState& state) const;
+  void take_places(const toolkit::KnotWord& word, KnotState& state) const;
   void tell(const CouplingStep& step, KnotState& state) const;
   void write(const CouplingStep& step, const KnotState& state) const;
 
   KnotParams params_;
   StrandPeer thread_;
-  Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, loop_, certain_, passages_;
+  Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, loop_, from_, to_, loosest_, certain_, passages_;
   Event tied_event_, untied_event_, tangled_event_, passage_event_;
 
   // valid within the present step

@@ -116,6 +116,38 @@ TEST(KnotHistory, is_told_throw_by_throw) {
   EXPECT_GT(s.signal("knot.passages"), 0);
 }
 
+/// Where a square knot lies on a thread whose second throw stands off the first one by `spacing` radii of the winding.
+struct Lies {
+  double from = 0, to = 0, loosest = 0, unit = 0;  // m; unit: a radius
+};
+
+Lies square_knot(double spacing) {
+  TieShape shape;
+  shape.nodes = 201, shape.spacing = spacing;
+  const auto tie = make_tie({1, -1}, shape, 1);
+  if (!tie) return ADD_FAILURE(), Lies();
+  double length = 0;
+  for (size_t i = 1; i < tie->node.size(); ++i) length += (tie->node[i] - tie->node[i - 1]).norm();
+  Laid s(kLength, 200, "0.001 GPa", kKnot);
+  if (!s.engine) return ADD_FAILURE(), Lies();
+  s.lay([&](int i) { return Vec3(kLength / length * tie->node[static_cast<size_t>(i)]); });
+  s.run(130);
+  EXPECT_EQ(s.word(), Word({1, -1}));
+  return {s.signal("knot.from"), s.signal("knot.to"), s.signal("knot.loosest"), kLength / length};
+}
+
+TEST(KnotPlaces, AThrowThatStandsOffTakesTheWayToTheOneBefore) {
+  // from where on the spacing is more than a throw is long
+  const Lies near = square_knot(8), far = square_knot(12);
+  EXPECT_NEAR(far.loosest / far.unit - near.loosest / near.unit, 4, 1.5) << "a stick of three nodes is 1.4 long";
+  for (const Lies& knot : {near, far}) {
+    EXPECT_GT(knot.from, 0);
+    EXPECT_LT(knot.to, kLength);
+    EXPECT_GT(knot.to - knot.from, 2 * knot.loosest) << "both strands, and the loop";
+    EXPECT_NEAR(knot.from, kLength - knot.to, 0.05 * kLength) << "both ends are alike";
+  }
+}
+
 /// A loop that crosses itself at right angles; then its upper leg is laid below the lower one, as a solver that fails would have it.
 TEST(KnotPassage, is_counted_once) {
   constexpr double kLeg = 6e-3, kRadius = 2e-3, kArc = 1.5 * M_PI * kRadius;

@@ -107,12 +107,13 @@ double gap(const LessonRun& run) {
 void log(const LessonRun& run) {
   const Vec3 h = 1e3 * tool(run, "holder").p, f = 1e3 * tool(run, "forceps").p;
   std::printf("%6.2f %-5s H %6.2f %6.2f %6.2f  F %6.2f %6.2f %6.2f  turns %5.2f behind %5.2f  foretold %-7s tied %-7s  held %.2f %.2f N"
-              "  T %5.2f L %5.2f grip %5.2f most %6.2f mN  closed %.3f loop %5.2f mm  passages %g %g %g\n",
+              "  T %5.2f L %5.2f grip %5.2f most %6.2f mN  closed %.3f loop %5.2f knot %5.2f to %5.2f loosest %5.2f mm  passages %g %g %g\n",
               run.world().time(), run.phase().c_str(), h.x(), h.y(), h.z(), f.x(), f.y(), f.z(), run.signal("winding", "winding.turns"),
               1e3 * run.signal("winding", "winding.behind"), foretold(run).c_str(), tied(run).c_str(), run.signal("grasp", "grasp.force"),
               run.signal("tail_grasp", "grasp.force"), 1e3 * run.signal("left_stitch", "pull.tension_tail"),
               1e3 * run.signal("right_stitch", "pull.tension_out"), 1e3 * run.signal("suture", "thread.tension_grip"), 1e3 * run.signal("suture", "thread.tension"), 1e3 * gap(run),
-              1e3 * run.signal("knot", "knot.loop"), run.signal("suture", "thread.passed"), run.signal("winding", "winding.passages"),
+              1e3 * run.signal("knot", "knot.loop"), 1e3 * run.signal("knot", "knot.from"), 1e3 * run.signal("knot", "knot.to"), 1e3 * run.signal("knot", "knot.loosest"),
+              run.signal("suture", "thread.passed"), run.signal("winding", "winding.passages"),
               run.signal("knot", "knot.passages"));
   std::fflush(stdout);
 }

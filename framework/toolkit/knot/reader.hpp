@@ -70,14 +70,24 @@ class KnotReader {
       if (before.invariants != says || excess == found.excess) found.contradicted = 1;
     }
     if (same) found.agreed += 1;
-    if (!first && excess >= found.excess) return;
+    const double taken = thread_taken(word);
+    const bool nearer = same && excess == found.excess && taken < found.taken;
+    if (!first && !nearer && excess >= found.excess) return;
     if (!same) found.word = number, found.agreed = 1;
+    found.taken = taken;
     found.excess = excess, found.throws = word.throws, found.knots = word.knots;
     for (int i = 0; i < word.throws; ++i) {
       const KnotThrow& t = word.tied[at(i)];
       const auto &a = t.strand[0], &b = t.strand[1];
       found.tied[at(i)] = {double(t.turns), double(t.sign), double(t.knot), {a.first, a.last, b.first, b.last}};
     }
+  }
+  /// A loop whose legs cross far from its throw may be seen as a part of that: the throw then takes all the thread between.
+  static double thread_taken(const KnotWord& word) {
+    double sum = 0;
+    for (int i = 0; i < word.throws; ++i)
+      for (const KnotThrow::Strand& strand : word.tied[at(i)].strand) sum += strand.last - strand.first;
+    return sum;
   }
   static void tell(const KnotFindings& found, KnotWord& word) {
     word = {};

@@ -35,6 +35,7 @@ struct KnotFindings {
   double agreed = 0;          // views that gave it
   double contradicted = 0;    // 1: a view gave another
   double excess = 1e9;       // crossings removed from the plainest view, which locates the throws best
+  double taken = 1e9;        // thread that the throws take in it, in nodes: of views that are as plain the one with the least locates them
   double throws = 0, knots = 0;
   std::array<Throw, kThrows> tied{};
 };
