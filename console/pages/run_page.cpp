@@ -20,9 +20,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kPreviewDelay_ms =
-    80;  // running through the list with the arrow keys loads only where one stays
-
+constexpr int kPreviewDelay_ms = 80;  // running through the list with the arrow keys loads only where one stays
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
 constexpr int kBottom_px = 140;  // three events, or ten cues in two columns; higher where a lesson has more
