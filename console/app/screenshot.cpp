@@ -30,7 +30,9 @@ void Screenshot::look() {
   const bool there = of_run_ ? control->newest() && control->newest()->time_s >= at_s_ : wall >= at_s_;
   const bool over = of_run_ && control->state() == RunControl::State::kFinished;
   const bool pictured = !view->gl().ok || !view->isVisible() || view->ready();
-  if (!late && !((there || over) && pictured)) return;
+  // the steps up to the moment under review are computed first
+  const bool replayed = !window_->review_page()->isVisible() || !window_->review_page()->moving();
+  if (!late && !((there || over) && pictured && replayed)) return;
   if (!late && ++settled_ < (of_run_ ? 2 : kSettle)) return;
   timer_.stop();
   QWidget* pictured_window = window_->trainee() ? static_cast<QWidget*>(window_->trainee()) : window_;

@@ -32,6 +32,8 @@ class Playback : public QObject {
   /// Switches the loop over a second before and after the cursor.
   void set_loop(bool on);
   bool playing() const { return playing_; }
+  /// The scenes are on their way to the cursor, or play.
+  bool moving() const { return timer_.isActive(); }
   double wanted_s() const { return wanted_s_; }
 
  Q_SIGNALS:

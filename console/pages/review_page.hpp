@@ -44,6 +44,8 @@ class ReviewPage : public QWidget {
   void remove_view(SceneView* view) { pictures_->remove_view(view); }
   const Player* player() const { return attempt_.player(); }
   bool playing() const { return playback_.playing(); }
+  /// The picture is on its way to the cursor, or plays.
+  bool moving() const { return playback_.moving(); }
   /// Sets the desk for notes; without it none can be made. It outlives the page.
   void set_desk(SchoolDesk* desk);
   /// Adds a note at the cursor.

@@ -98,29 +98,6 @@ TEST_F(FirstSight, AResultLeadsToTheReviewAndTheNextLesson) {
   EXPECT_FALSE(page()->result()->isVisible());
 }
 
-// A button that is pressed by its key is shown as pressed for a tenth of a second first, and acts then.
-TEST_F(FirstSight, TheKeysOfAResultDoWhatItsButtonsSay) {
-  script.rate = 100;
-  open();
-  click("start");
-  ASSERT_TRUE(wait_for_end());
-  QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
-  EXPECT_TRUE(eventually([&] { return window->review_page()->isVisible(); }));
-  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
-  ASSERT_TRUE(page()->result()->isVisible());
-  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
-  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
-  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
-  ASSERT_TRUE(page()->result()->isVisible());
-  QTest::keyClick(window.get(), Qt::Key_F5);
-  EXPECT_EQ(log->started, 2);
-  ASSERT_TRUE(wait_for_end());
-  const QString before = page()->setup()->lesson();
-  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_NE(page()->setup()->lesson(), before);
-  EXPECT_FALSE(page()->result()->isVisible());
-}
-
 TEST_F(FirstSight, StartSaysThatAnAttemptWaits) {
   run_to(0.5);
   EXPECT_EQ(child<QPushButton>("start")->text(), "Running…");

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The pages of an instructor in the whole window, with a school in a file: People, Courses, the instructor's window.
+#include <QComboBox>
 #include <QDialog>
 #include <QLineEdit>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QTimer>
 
+#include "record/recorder.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -19,6 +22,14 @@ class InstructorPages : public WindowTest {
     line.name = QStringLiteral("Chen W.");
     line.code = QStringLiteral("A01");
     ASSERT_TRUE(window->desk()->add_people({line}));
+  }
+  /// Presses Ctrl and a key, once the window has the focus again.
+  void press_ctrl(Qt::Key key) {
+    ASSERT_TRUE(eventually([&] {
+      QApplication::setActiveWindow(window.get());
+      return QApplication::activeWindow() == window.get() && !QApplication::activeModalWidget();
+    }));
+    QTest::keyClick(window.get(), key, Qt::ControlModifier);
   }
 };
 
@@ -105,6 +116,75 @@ TEST_F(InstructorPages, LimitsFromExpertsSayWhyThereAreNone) {
   click("suggest_limits");
   EXPECT_TRUE(child<QLabel>("course_problem")->text().contains("No attempts of experts"));
   EXPECT_DOUBLE_EQ(window->courses_page()->course().steps[0].limits[0].most, 0.91173);
+}
+
+// A passed test by a person's own hand.
+void keep_test(const std::string& store, const char* person, const char* lesson) {
+  record::AttemptInfo info;
+  info.person = person;
+  info.lesson_id = info.lesson_title = lesson;
+  info.mode = "test";
+  info.device = "mouse";
+  info.devices = {"hand"};
+  info.hands = {{"hand", "mouse", "swage.device.mouse", "1.0.0", "{}", SWAGE_DEVICE_POINTER}};
+  base::Problems problems;
+  const auto recorder = record::Recorder::open(store, info, problems);
+  ASSERT_TRUE(recorder);
+  record::AttemptEnd end;
+  end.outcome = judge::Outcome::kPassed;
+  end.score = 90;
+  end.simulated_s = 10;
+  recorder->finish(end);
+}
+
+// From the course, given on People, over its lessons to the last test and back: the Run page tells what is asked next, and each result
+// how far the person is.
+TEST_F(InstructorPages, ACourseLeadsThroughItsLessonsToItsLastTest) {
+  script.rate = 100;
+  open();
+  click("page_people");
+  console::RosterLine chen;
+  chen.name = "Chen W.";
+  ASSERT_TRUE(window->desk()->add_people({chen}));
+  click("page_courses");
+  click("first_course");
+  for (int step = 0; step < 2; ++step) {
+    click("add_lesson");
+    child<QSpinBox>("rule_in_a_row")->setValue(1);
+    child<QSpinBox>("rule_later_day")->setValue(0);
+  }
+  click("page_people");
+  in_dialog("assign_dialog", [](QDialog* d) { d->findChild<QPushButton*>(QStringLiteral("assign_ok"))->click(); });
+  click("assign_course");
+  click("page_run");
+  EXPECT_FALSE(child<QLabel>("course_next")->isVisible()) << "a guest has no course";
+  child<QComboBox>("person")->setCurrentText(QStringLiteral("Chen W."));
+  const auto next = [this] { return child<QLabel>("course_next")->text().toStdString(); };
+  EXPECT_EQ(next(), "Course 1: 0 of 2 lessons passed. Next: Grasp the needle, 0 of 1 Test attempts in a row.");
+  EXPECT_FALSE(child<QPushButton>("to_course_lesson")->isVisible()) << "it is chosen";
+  page()->setup()->select_lesson(1);
+  ASSERT_TRUE(child<QPushButton>("to_course_lesson")->isVisible());
+  press_ctrl(Qt::Key_L);
+  EXPECT_TRUE(eventually([&] { return page()->setup()->lesson().contains("grasp"); }));
+  EXPECT_EQ(page()->setup()->mode(), "test");
+  const auto pass = [this](const char* lesson) {
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(control()->running());
+    keep_test(school_file(), "Chen W.", lesson);  // what a session writes
+    EXPECT_TRUE(wait_for_end());
+    EXPECT_EQ(child<QLabel>("result_course")->text(), "In the course: passed.");
+  };
+  pass("test.grasp");
+  EXPECT_EQ(next(), "Course 1: 1 of 2 lessons passed. Next: Carry and hold, 0 of 1 Test attempts in a row.");
+  press_ctrl(Qt::Key_Right);
+  EXPECT_TRUE(page()->setup()->lesson().contains("carry"));
+  EXPECT_EQ(page()->setup()->mode(), "test");
+  pass("test.carry");
+  EXPECT_EQ(next(), "Course 1: 2 of 2 lessons passed.");
+  EXPECT_FALSE(child<QPushButton>("next_lesson")->isEnabled()) << "nothing is left";
+  press_ctrl(Qt::Key_P);
+  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
+  EXPECT_EQ(child<QLabel>("person_name")->text(), "Chen W.");
 }
 
 }  // namespace

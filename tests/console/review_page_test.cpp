@@ -63,7 +63,9 @@ TEST_F(ReviewPages, F9ShowsTheTraineeWhatIsReviewed) {
   EXPECT_TRUE(replays()) << seen->words().task.toStdString();
   EXPECT_TRUE(seen->words().task.contains("Arun P."));
   review()->go(1.5);
+  EXPECT_TRUE(review()->moving()) << "a picture of the window waits for it";
   ASSERT_TRUE(arrives(1500));
+  EXPECT_TRUE(eventually([&] { return !review()->moving(); }));
   EXPECT_TRUE(seen->words().clock.contains("00:01")) << seen->words().clock.toStdString();
   EXPECT_EQ(seen->words().clock, review()->view()->words().clock);
   EXPECT_FALSE(seen->instrument());

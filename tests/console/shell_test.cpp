@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include "console/pages/result_panel.hpp"
 #include "console/widgets/save_file.hpp"
 #include "window_fixture.hpp"
 
@@ -156,6 +157,29 @@ TEST_F(Shell, NoKeyHasTwoMeaningsOnAPage) {
     }
   }
   EXPECT_GT(keyed, 20);
+}
+
+// A button that is pressed by its key is shown as pressed for a tenth of a second first, and acts then.
+TEST_F(Shell, TheKeysOfAResultDoWhatItsButtonsSay) {
+  script.rate = 100;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
+  EXPECT_TRUE(eventually([&] { return window->review_page()->isVisible(); }));
+  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(page()->result()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier);
+  EXPECT_TRUE(eventually([&] { return window->people_page()->isVisible(); }));
+  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(page()->result()->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_EQ(log->started, 2);
+  ASSERT_TRUE(wait_for_end());
+  const QString before = page()->setup()->lesson();
+  QTest::keyClick(window.get(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NE(page()->setup()->lesson(), before);
+  EXPECT_FALSE(page()->result()->isVisible());
 }
 
 // Without experts no limit can be suggested: its number is asked for at once.
