@@ -117,6 +117,7 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
       r.meanings += cues_[static_cast<int>(s.mark_cue[m])];
   }
   r.meanings.removeDuplicates();
+  if (const QLatin1String near("target.near"); cues_.contains(near)) r.at_target = r.meanings.contains(near);
   if (s.phase < static_cast<uint32_t>(phases_.size())) r.phase = phases_[static_cast<int>(s.phase)];
   if (hold_ >= 0 && static_cast<uint32_t>(hold_) < s.n_metric) r.hold = s.metric[hold_];
   for (const Counter& c : counters_) {

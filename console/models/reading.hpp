@@ -23,6 +23,7 @@ struct Reading {
   std::optional<double> tension;   // N, of the thread being drawn
   std::optional<double> hold;      // completed share of the hold, 0..1
   std::optional<bool> spot, tips;  // of the current grasp
+  std::optional<bool> at_target;   // what is held is where it should go in
   QString phase;                   // as text
   QStringList meanings;            // all cues now shown, of objects and of marks
   struct Count {

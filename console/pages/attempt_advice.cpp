@@ -13,8 +13,9 @@ bool AttemptAdvice::read(const Reading& reading, uint64_t step) {
   if (holds && step > dropped_at_) dropped_ = false;
   // the lesson remembers a bend; the needle that was put back is straight
   const bool bent = !put_back_ && reading.meanings.contains(QLatin1String("needle.bent"));
-  const bool changed = holds != holds_ || misplaced != misplaced_ || bent != bent_;
-  holds_ = holds, misplaced_ = misplaced, bent_ = bent;
+  const bool near = near_ || reading.at_target.value_or(true);
+  const bool changed = holds != holds_ || misplaced != misplaced_ || bent != bent_ || near != near_;
+  near_ = near, holds_ = holds, misplaced_ = misplaced, bent_ = bent;
   return changed;
 }
 
@@ -36,7 +37,7 @@ ControlHints AttemptAdvice::hints(bool test, bool drives) const {
   const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
   // jaws stay closed when the key is released: who has closed them on nothing is told how to open them
   const bool open = (closed_ && !holds_) || (!test && misplaced_);
-  return {wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_)};
+  return {wanted("drag"), wanted("close"), drives && holds_ && near_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_)};
 }
 
 }  // namespace swage::console

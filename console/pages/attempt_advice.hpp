@@ -18,7 +18,7 @@ class AttemptAdvice {
   Q_DECLARE_TR_FUNCTIONS(AttemptAdvice)
  public:
   /// To be called before an attempt: nothing is held, dropped or bent. Used controls are kept.
-  void reset() { closed_ = holds_ = misplaced_ = dropped_ = bent_ = put_back_ = false; }
+  void reset() { closed_ = holds_ = misplaced_ = dropped_ = bent_ = put_back_ = near_ = false; }
   /// An event of the attempt, by its id. A dropped object is advised on until it is held or reset; a slipping thread is not.
   void hear(const std::string& event_id, uint64_t step);
   /// Updates from a snapshot, which may be older than the events heard. Returns whether the held object, or its grasp, has changed.
@@ -38,6 +38,7 @@ class AttemptAdvice {
   bool closed_ = false;                                       // the person has closed the jaws in this attempt, and not opened them
   bool holds_ = false, misplaced_ = false, dropped_ = false;  // the jaws hold an object; at the wrong place; an object was dropped
   bool bent_ = false, put_back_ = false;                      // a needle is bent; the work was put back in this attempt
+  bool near_ = false;                                         // it was at its target once: a needle that is still in its holder is not driven
   uint64_t dropped_at_ = 0;                                   // step of the drop
 };
 

@@ -35,6 +35,21 @@ TEST(AttemptAdvice, WhatIsPutBackHasNotFallenAnyMore) {
   EXPECT_EQ(advice.words(true), "");
 }
 
+// 118: driven in its holder, a needle runs its point into the tray and bends
+TEST(AttemptAdvice, DrivingIsToldAtTheTarget) {
+  AttemptAdvice advice;
+  Reading away = held(true);
+  away.at_target = false;
+  advice.read(away, 1);
+  EXPECT_FALSE(advice.hints(false, true).drive);
+  Reading there = away;
+  there.at_target = true;
+  EXPECT_TRUE(advice.read(there, 2));
+  EXPECT_TRUE(advice.hints(false, true).drive);
+  advice.read(away, 3);
+  EXPECT_TRUE(advice.hints(false, true).drive) << "until it was used";
+}
+
 TEST(AttemptAdvice, ABentNeedleMayBePutBack) {
   AttemptAdvice advice;
   Reading bent = held(true);

@@ -180,6 +180,21 @@ TEST(MouseHand, ClosingRestsAtTheForceOfTheLessonUntilTheKeyIsPressedAgain) {
   EXPECT_NEAR(grip(), 0.6, 5e-3) << "opening never rests";
 }
 
+TEST(MouseHand, GivesWayToTheJawThatPushesWhileItCloses) {
+  // the left jaw is at +z of the tool
+  for (const int jaw : {1, -1, 0}) {
+    MouseHand hand(Speeds{}, Pose());
+    swage_pointer p = still();
+    p.keys = kSpace;
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw});
+    EXPECT_LT((hand.pose().p - Vec3(0, 0, jaw * 0.1 * Speeds{}.give)).norm(), 1e-9) << jaw;
+    p.keys = 0;
+    const Vec3 there = hand.pose().p;
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw});
+    EXPECT_LT((hand.pose().p - there).norm(), 1e-9) << "a needle that is held does not lead the hand";
+  }
+}
+
 TEST(MouseHand, TheRepeatOfAHeldKeyIsNoSecondPress) {
   Speeds speeds;
   speeds.rest_force = 0.6;
