@@ -21,6 +21,7 @@ namespace {
 // m, from the middle of the grasp towards the stitch: outside of tips of 0.3 mm and one segment of 0.4 mm on. Nearer, the bend in the jaws counts as a pull.
 constexpr double kBeside = 0.8e-3;
 constexpr double kMarkRadius = 60e-6;  // m, drawn: somewhat thicker than 8-0
+constexpr double kInside = 0.5e-3;     // m, from a cut: a thread of segments of 0.4 mm is parted by a whole one. With less the mark goes with what is cut off
 constexpr double kTangled = 5;  // knot.kind of a thread with any other knot
 
 /// Reads throws such as "2 -1 1". False for any other text.
@@ -218,7 +219,8 @@ void KnotLesson::show_ends(const View& view, const Look& look, const Memory& mem
   if (!law) return;
   const bool knot = look.word.throws > 0;
   const double from = knot ? look.from : view.signal(side_[1].out), to = knot ? look.to : law->length - look.tail;
-  const double s[2] = {from - params().tail, to + params().tail};
+  const auto length = [&](int end) { return memory.end[end] > 0 ? std::min(params().tail, memory.end[end] - kInside) : params().tail; };
+  const double s[2] = {from - length(0), to + length(1)};
   for (int i = 0; i < 2; ++i) {
     const auto place = strand_.place(thread, std::clamp(s[i], 0.0, law->length));
     if (place) verdict.mark(end_[i], judge_.end_good(memory, i) ? cue_[index(Sign::kTailGood)] : Cue(), &place->p_W);
