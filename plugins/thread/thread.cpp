@@ -220,7 +220,8 @@ void Thread::finish(const Step& step) {
   for (int j = 0; j <= last; ++j) {
     most = std::max(most, rod_.linear_tension(j));
     parted += chain.radius[at(j)] == 0;
-    if (grip[0] <= grip[1] && j >= grip[0] - 1 && j <= grip[1] + 1) beside = std::max(beside, rod_.linear_tension(j));
+    // segments between the jaws keep the tension that they had when the jaws closed: a hand feels those outside
+    if (grip[0] <= grip[1] && (j == grip[0] - 1 || j == grip[1] + 1)) beside = std::max(beside, rod_.linear_tension(j));
   }
   step.signal(tension_first_, rod_.linear_tension(0));
   step.signal(tension_last_, rod_.linear_tension(last));

@@ -122,6 +122,23 @@ TEST(Thread, IsHeldWithoutCreep) {
   }
 }
 
+/// Jaws that have drawn a thread out between them hold a tension there. A hand feels what draws outside: nothing here, and 2 mN there.
+TEST(Thread, ItsGripTellsTheTensionOutsideOfTheJaws) {
+  for (const double pull : {0.0, 2e-3}) {
+    Bench b;
+    b.start();
+    const std::vector<uint32_t> segment = {14, 15, 16, 17};
+    std::vector<Vec3> anchor;
+    for (const uint32_t s : segment) anchor.push_back(b.middle(s));
+    constexpr double kStrain = 5e-3;  // of 10-0 nylon, whose EA is 0.95 N: 5 mN
+    const double apart = (anchor[3] - anchor[0]).norm();
+    for (size_t i = 0; i < anchor.size(); ++i) anchor[i].x() += kStrain * (static_cast<double>(i) / 3 - 0.5) * apart;
+    for (int k = 0; k < 500; ++k) hold(b, segment, anchor, Vec3(pull, 0, 0), 31);
+    EXPECT_GT(b.signal("thread.tension"), 3e-3) << "between the jaws";
+    EXPECT_NEAR(b.signal("thread.tension_grip"), pull, 0.1e-3);
+  }
+}
+
 /// Held places that move at 30 mm/s take it along.
 TEST(Thread, FollowsWhatHoldsIt) {
   Bench b;
