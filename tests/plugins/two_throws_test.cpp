@@ -176,12 +176,12 @@ TEST(SurgeonsKnot, TwoHandsTieIt) {
   }
 }
 
-TEST(SurgeonsKnot, TheClumsyHandDropsIt) {
+TEST(SurgeonsKnot, TheClumsyHandCutsTheTissue) {
   LessonRun clumsy(kSurgeons, "clumsy");
   ASSERT_EQ(clumsy.problems(), "");
   clumsy.run(40);
   EXPECT_EQ(clumsy.outcome(), "failed");
-  EXPECT_EQ(clumsy.reason(), "failed.dropped");
+  EXPECT_EQ(clumsy.reason(), "failed.cut");
   EXPECT_EQ(clumsy.verdict().score, 0);
 }
 
