@@ -123,24 +123,27 @@ TEST(SquareKnot, HoldsByAFrictionByWhichAGrannySlips) {
   EXPECT_GE(nylon.opens, 3e-3) << "m";
 }
 
-// The double throw of a surgeon's knot keeps the edges together by its friction while the second one is wound, with both ends all but slack.
-TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
+// The double throw of a surgeon's knot closes the edges while it is drawn, and stays tied while the second one is wound. With both ends slack it
+// springs open (lessons/knot/knot.md), so the edges are not asked for then.
+TEST(SurgeonsKnot, ItsDoubleThrowClosesTheEdgesAndStaysTied) {
   LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
-  double widest = 0;  // m, of the gap, of which 0.4 mm are open at rest
-  while (attempt.outcome() == "running" && attempt.world().time() < 50) {
+  double least = 1, most = 0;  // m, of the gap, of which 0.4 mm are open at rest; N, of the thread until the first draw
+  while (attempt.outcome() == "running" && attempt.world().time() < 55) {
     attempt.step();
-    if (attempt.world().time() > 40) widest = std::max(widest, attempt.metric("wound.gap"));
+    const double t = attempt.world().time();
+    if (t > 8 && t < 32) most = std::max(most, attempt.signal("suture", "thread.tension"));
+    if (t > 33 && t < 45) least = std::min(least, attempt.metric("wound.gap"));
   }
+  EXPECT_LT(most, 10e-3) << "N: nothing catches on the winder's tips and snaps over them";
+  EXPECT_LT(least, 0.1e-3);
   EXPECT_EQ(attempt.signal("knot", "knot.throws"), 1);
   EXPECT_EQ(std::abs(attempt.signal("knot", "knot.throw_1")), 2);
-  EXPECT_LT(widest, 0.1e-3);
   EXPECT_EQ(attempt.metric("thread.passages"), 0);
   EXPECT_EQ(attempt.engine().quarantined(), 0u);
 }
 
-// Three throws by the same means. The second and the third one are wound with the long end drawn straight beforehand: slack, the turn reaches 1.02
-// where the holder waits for 1.1, and slips off.
+// Three throws by the same means.
 TEST(SurgeonsKnot, TwoHandsTieIt) {
   LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
@@ -182,14 +185,14 @@ TEST(SurgeonsKnot, TheClumsyHandCutsTheTissue) {
   EXPECT_EQ(clumsy.verdict().score, 0);
 }
 
-// the novice stops for long before the third throw
+// with a tremor of 15 um, at 0.6 of the pace
 TEST(SurgeonsKnot, TheNovicePassesWithFewerPoints) {
   LessonRun novice(kSurgeons, "novice");
   ASSERT_EQ(novice.problems(), "");
   novice.run(260);
   EXPECT_EQ(novice.outcome(), "passed") << novice.reason();
   EXPECT_EQ(novice.metric("knot.right_throws"), 3);
-  EXPECT_LT(novice.verdict().score, 85) << "the expert has 97";
+  EXPECT_LT(novice.verdict().score, 85);
   EXPECT_GT(novice.verdict().score, 40);
 }
 
