@@ -27,7 +27,7 @@ ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32
   const size_t n = size_t{3} * max_constraints + max_hinges;
   W_.resize(n * n);
   for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &line_}) v->resize(n);
-  Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints);
+  Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints + 1);
   of_block_.resize(std::max(max_of_bands, 6u));
   arm_.reserve(size_t{2} * max_constraints);
   drive_.resize(max_hinges);

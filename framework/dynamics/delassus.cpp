@@ -5,8 +5,28 @@
 
 #include "dynamics/contact_space.hpp"
 #include "dynamics/jacobian.hpp"
+#include "toolkit/wide.hpp"
 
 namespace swage::dynamics {
+namespace {
+
+/// W = sum of J[u] M[u]' over the unknowns u, by rows of four numbers, of which the last means nothing. M: readable one number beyond.
+template <class V>
+[[gnu::always_inline]] inline void multiply_sides(uint32_t size, const Vec3* J, const Vec3* M, double* W) noexcept {
+  toolkit::Line<V, 4> row[3] = {};
+  for (uint32_t u = 0; u < size; ++u) {
+    toolkit::Line<V, 4> m;
+    m.load(M[u].data());
+    for (int i = 0; i < 3; ++i) row[i].add(J[u][i], m);
+  }
+  for (int i = 0; i < 3; ++i) row[i].store(W + 4 * i);
+}
+SWAGE_FOURS void multiply_sides_by_fours(uint32_t size, const Vec3* J, const Vec3* M, double* W) noexcept {
+  multiply_sides<toolkit::Fours>(size, J, M, W);
+}
+
+}  // namespace
+
 size_t ContactSpace::begin(const Island& island) noexcept {
   island_ = &island;
   n_constraints_ = island.constraints.size();
@@ -92,11 +112,12 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
     for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
     for (size_t q = 0; q <= p; ++q) {
       const JacobianBlock& b = arm_[q];
-      Mat3 W_ab = Mat3::Zero();
-      for (uint32_t u = 0; u < size; ++u) W_ab += Jt[u] * Minv_Jt_[size * q + u].transpose();
+      double W_ab[12];
+      toolkit::has_fours() ? multiply_sides_by_fours(size, Jt, &Minv_Jt_[size * q], W_ab)
+                           : multiply_sides<toolkit::Twos>(size, Jt, &Minv_Jt_[size * q], W_ab);
       for (size_t i = 0; i < 3; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          const double w = W_ab(index(i), index(k));
+          const double w = W_ab[4 * i + k];
           line(3 * a.constraint + i)[3 * b.constraint + k] += w;
           if (p != q) line(3 * b.constraint + k)[3 * a.constraint + i] += w;
         }

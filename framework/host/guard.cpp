@@ -12,6 +12,7 @@
 
 #include "base/clock.hpp"
 #include "host/call_watch.hpp"
+#include "toolkit/wide.hpp"
 
 namespace swage::host {
 
@@ -71,22 +72,39 @@ void quarantine(Instance& instance, FaultKind fault, Call call, uint64_t step) n
   instance.quarantined.store(1, std::memory_order_release);
 }
 
+namespace {
+
+/// The sum of the absolute values of n numbers, in whatever order; NaN where one of them is.
+template <class V>
+[[gnu::always_inline]] inline double sum_of_sizes(const double* data, std::size_t n) noexcept {
+  typedef long long Bits __attribute__((vector_size(8 * V::n)));
+  const auto size = [data](std::size_t i) __attribute__((always_inline)) {
+    V v;
+    v.load(data + i);
+    // all bits but the sign
+    return V{__builtin_bit_cast(decltype(v.x), __builtin_bit_cast(Bits, v.x) & 0x7FFFFFFFFFFFFFFF)};
+  };
+  constexpr std::size_t kSums = 4;  // independent: no addition waits for the one before
+  V sum[kSums] = {};
+  std::size_t i = 0;
+  for (; i + kSums * V::n <= n; i += kSums * V::n)
+    for (std::size_t k = 0; k < kSums; ++k) sum[k].x += size(i + k * V::n).x;
+  const V all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  double total = 0;
+  for (; i < n; ++i) total += std::abs(data[i]);
+  for (int k = 0; k < V::n; ++k) total += all.x[k];
+  return total;
+}
+SWAGE_FOURS double sum_of_sizes_by_fours(const double* data, std::size_t n) noexcept {
+  return sum_of_sizes<toolkit::Fours>(data, n);
+}
+
+}  // namespace
+
 bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
             double limit) noexcept {
   // one pass without branches for the usual case: absolute values with a sum no larger than the limit
-  typedef double Two __attribute__((vector_size(16)));
-  typedef long long Bits __attribute__((vector_size(16)));
-  constexpr Bits kSize = {0x7FFFFFFFFFFFFFFF, 0x7FFFFFFFFFFFFFFF};  // mask of all bits but the sign
-  const auto size = [&](std::size_t i) __attribute__((always_inline)) {
-    const Two a = {data[i], data[i + 1]};
-    return __builtin_bit_cast(Two, __builtin_bit_cast(Bits, a) & kSize);
-  };
-  Two a = {}, b = {}, c = {}, d = {};  // independent sums: no addition waits for the previous one
-  std::size_t i = 0;
-  for (; i + 8 <= n; i += 8) a += size(i), b += size(i + 2), c += size(i + 4), d += size(i + 6);
-  for (; i < n; ++i) a[0] += std::abs(data[i]);
-  const Two all = (a + b) + (c + d);
-  if (all[0] + all[1] <= limit) return true;
+  if ((toolkit::has_fours() ? sum_of_sizes_by_fours(data, n) : sum_of_sizes<toolkit::Twos>(data, n)) <= limit) return true;
 
   // NaN fails every comparison
   const auto sound = [&](double x) { return std::abs(x) <= limit; };
