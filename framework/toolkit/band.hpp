@@ -61,13 +61,15 @@ class Band {
     }
   }
 
-  /// Fixes unknown i: its row and column become those of the identity.
-  void hold(int i) {
+  /// Fixes unknown i: its row and column become those of the identity. `columns`: of the matrix, from the first on.
+  void hold(int i) { hold(a_.data(), i); }
+  static void hold(double* columns, int i) {
+    double* own = columns + i * kColumn;
     for (int k = 1; k <= B; ++k) {
-      column(i)[k] = 0;
-      if (i >= k) column(i - k)[k] = 0;
+      own[k] = 0;
+      if (i >= k) own[k - k * kColumn] = 0;
     }
-    column(i)[0] = 1;
+    own[0] = 1;
   }
 
   /// Factors in place. False when a pivot is not above zero or not finite; the matrix is lost then.

@@ -188,6 +188,8 @@ class Rod {
   static constexpr int kStiffer = 14;  // attempts to make the matrix definite
 
   static size_t at(int i) { return static_cast<size_t>(i); }
+  /// The column of an unknown in a matrix of columns.
+  static double* column(double* columns, int k) { return columns + static_cast<std::ptrdiff_t>(Matrix::kStride) * k; }
   struct Edge {
     Vec3 t;
     double inverse;  // 1/m
@@ -210,11 +212,13 @@ class Rod {
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
   template <class V>
-  [[gnu::always_inline]] inline void differentiate_with(const RodState& s, double* gradient, Matrix* hessian) const;
-  SWAGE_FOURS void differentiate_by_fours(const RodState& s, double* gradient, Matrix* hessian) const {
+  [[gnu::always_inline]] inline void differentiate_with(const RodState& s, double* gradient, double* hessian) const;
+  /// `hessian`: its 4 n columns of kStride numbers, which are written whole; nullptr: it is not wanted.
+  void differentiate_into(const RodState& s, double* gradient, double* hessian) const;
+  SWAGE_FOURS void differentiate_by_fours(const RodState& s, double* gradient, double* hessian) const {
     differentiate_with<Fours>(s, gradient, hessian);
   }
-  void differentiate_by_twos(const RodState& s, double* gradient, Matrix* hessian) const {
+  void differentiate_by_twos(const RodState& s, double* gradient, double* hessian) const {
     differentiate_with<Twos>(s, gradient, hessian);
   }
   template <class V>
@@ -237,11 +241,11 @@ class Rod {
   }
   void add_pushed(const RodFluid& fluid);
   void add_springs(const RodLoad& load);
-  void system(const RodState& s, const RodLoad& load, bool hessian);
-  void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
-  void shift_diagonal(int stiffer);
+  void system(const RodState& s, const RodLoad& load, double* hessian);
+  void stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns);
+  void shift_diagonal(int stiffer, double* columns);
   bool factor(const RodState& s, const RodLoad& load);
-  void slow_turns(const RodState& s);
+  void slow_turns(const RodState& s, double* columns);
   bool solve(const RodState& s, const RodLoad& load);
   double potential(const RodState& s, const RodLoad& load) const;
   void follow_tension(const RodState& s, const double* change, double share);

@@ -70,7 +70,7 @@ template <class V>
 
 /// Goes along the rod by four joints and edges, and adds up the four nodes i - 3 to i whose last parts these are.
 template <class V>
-[[gnu::always_inline]] inline void Rod::differentiate_with(const RodState& s, double* gradient, Matrix* hessian) const {
+[[gnu::always_inline]] inline void Rod::differentiate_with(const RodState& s, double* gradient, double* hessian) const {
   constexpr std::ptrdiff_t kStride = Matrix::kStride;
   constexpr int kFour = Eight::group;
   const bool second = hessian != nullptr;
@@ -83,7 +83,7 @@ template <class V>
       store_fours(x.x, x.y, x.z, turn, gradient + 4 * node, 4);
     else
       for (int r = 0; r < 3; ++r) x[r].store(gradient + 4 * node + r, 1);
-    if (second) parts_.template columns<N>(place, hessian->column(4 * node), kStride);
+    if (second) parts_.template columns<N>(place, hessian + 4 * node * kStride, kStride);
   };
   parts_.clear();
   for (int i = 1 - kFour; i < n_ + kFour - 1; i += kFour) {
@@ -99,8 +99,11 @@ template <class V>
 }
 
 inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
-  now_.find(s.x);
   if (hessian != nullptr) hessian->clear_beyond();
+  differentiate_into(s, gradient, hessian != nullptr ? hessian->column(0) : nullptr);
+}
+inline void Rod::differentiate_into(const RodState& s, double* gradient, double* hessian) const {
+  now_.find(s.x);
   has_fours() ? differentiate_by_fours(s, gradient, hessian) : differentiate_by_twos(s, gradient, hessian);
 }
 

@@ -29,11 +29,14 @@ inline void Rod::prepare(const RodState& s, const RodLoad& load) {
   const bool second = load.second_order && *s.steps > 0;
   g_ = second ? 2.0 / 3.0 * load.h : load.h;  // s, length of the equivalent backward Euler step
   m_hh_ = load.h > 0 ? 1 / (g_ * g_) : 0.0;
-  for (int k = 0; k < 3 * n_; ++k) {
-    const double x = second ? (4 * s.x[k] - s.before[k]) / 3 : s.x[k];
-    const double v = second ? (4 * s.v[k] - s.before[3 * n_ + k]) / 3 : s.v[k];
-    x0_[at(k)] = x;
-    hat_[at(k)] = x + g_ * v;
+  if (second) {
+    for (int k = 0; k < 3 * n_; ++k) {
+      x0_[at(k)] = (4 * s.x[k] - s.before[k]) / 3;
+      hat_[at(k)] = x0_[at(k)] + g_ * ((4 * s.v[k] - s.before[3 * n_ + k]) / 3);
+    }
+  } else {
+    std::copy_n(s.x, 3 * n_, x0_.data());
+    for (int k = 0; k < 3 * n_; ++k) hat_[at(k)] = s.x[k] + g_ * s.v[k];
   }
   begin_linear(s);
   add_drag(s, load);
@@ -46,9 +49,9 @@ inline void Rod::begin_linear(const RodState& s) {
 }
 
 /// Gradient of the step's potential and, when asked for, its Hessian.
-[[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
+[[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, double* hessian) {
   way_ = -1;
-  differentiate(s, gradient_.data(), hessian ? &A_ : nullptr);
+  differentiate_into(s, gradient_.data(), hessian);
   const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
                                                    section_.radius / section_.mass
                                          : 1;
@@ -65,7 +68,7 @@ inline void Rod::begin_linear(const RodState& s) {
       gradient_[at(4 * i + r)] += F;
     }
     if (!hessian) continue;
-    double *x = A_.column(4 * i), *y = A_.column(4 * i + 1), *z = A_.column(4 * i + 2);
+    double *x = column(hessian, 4 * i), *y = column(hessian, 4 * i + 1), *z = column(hessian, 4 * i + 2);
     x[0] += w, x[0] += D[0], x[1] += D[1], x[2] += D[2];
     y[0] += w, y[0] += D[3], y[1] += D[4];
     z[0] += w, z[0] += D[5];
@@ -78,18 +81,18 @@ inline void Rod::begin_linear(const RodState& s) {
         load.h > 0 ? 0.5 * section_.mass * L * section_.radius * section_.radius * m_hh_ : 1e-9 * k;
     if (load.h > 0) F += I * turned_[at(j)];
     if (!load.torque.empty()) F -= load.torque[at(j)];
-    if (hessian) A_.at(4 * j + 3, 4 * j + 3) += k > 0 ? I : 1.0;
+    if (hessian) *column(hessian, 4 * j + 3) += k > 0 ? I : 1.0;
     if (!(k > 0)) F = 0;
   }
   for (int i = 0; i < n_; ++i)
     for (int r = 0; held_[at(i)] != 0 && r < 3; ++r) {
       gradient_[at(4 * i + r)] = 0;
-      if (hessian) A_.hold(4 * i + r);
+      if (hessian) Matrix::hold(hessian, 4 * i + r);
     }
   for (int j = 0; j < edges(); ++j) {
     if (turn_held_[at(j)] == 0) continue;
     gradient_[at(4 * j + 3)] = 0;
-    if (hessian) A_.hold(4 * j + 3);
+    if (hessian) Matrix::hold(hessian, 4 * j + 3);
   }
 }
 
@@ -97,44 +100,45 @@ inline void Rod::begin_linear(const RodState& s) {
 /// buckle, count as stretched by as much; then the diagonal grows until it is.
 inline bool Rod::factor(const RodState& s, const RodLoad& load) {
   for (int stiffer = 0; stiffer <= kStiffer; ++stiffer) {
-    stiffened_system(s, load, stiffer);
+    A_.clear_beyond();
+    stiffened_system(s, load, stiffer, A_.column(0));
     if (A_.factor()) return true;
   }
   return false;
 }
 
 /// Assembles the system, stiffened to make it definite; `stiffer` 0: as it is.
-inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int stiffer) {
+inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns) {
   if (stiffer > 0) slow_ = true;
   if (stiffer > 1)
     for (double& T : tension_) T = std::abs(T);
-  system(s, load, true);
-  slow_turns(s);
-  for (int k = 0; k < unknowns(); ++k) diagonal_[at(k)] = A_.at(k, k);
-  shift_diagonal(stiffer);
+  system(s, load, columns);
+  if (slow_) slow_turns(s, columns);
+  for (int k = 0; stiffer > 1 && k < unknowns(); ++k) diagonal_[at(k)] = *column(columns, k);
+  shift_diagonal(stiffer, columns);
 }
 
 /// `stiffer` from 3 on: a growing shift of the diagonal of all displacements.
-inline void Rod::shift_diagonal(int stiffer) {
+inline void Rod::shift_diagonal(int stiffer, double* columns) {
   if (stiffer < 3) return;
   double largest = 0;
   for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) largest = std::max(largest, diagonal_[at(k)]);
   double shift = 1e-9 * largest;  // N/m
   for (int i = 3; i < stiffer; ++i) shift *= 30;
-  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) A_.at(k, k) = diagonal_[at(k)] + shift;
+  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) *column(columns, k) = diagonal_[at(k)] + shift;
 }
 
 /// Stiffens rotations that have hardly any stiffness: a rod that bends to its natural curvature turns all of its edges together. They
 /// get EI k m l, the cost of bending to the natural curvature m without turning, with k = m, or the present curvature where that is
 /// greater (bent by k against its natural curvature a rod is at a maximum of energy, with the second derivative -EI k m per length); and
 /// so much that their torque does not turn them beyond the range of the linear model.
-inline void Rod::slow_turns(const RodState& s) {
+inline void Rod::slow_turns(const RodState& s, double* columns) {
   const double remembered = std::abs(memory_);
-  for (int j = 0; slow_ && j < edges(); ++j) {
+  for (int j = 0; j < edges(); ++j) {
     double k = remembered;
     for (const int i : {j, j + 1})
       if (remembered > 0 && has_joint(i)) k = std::max(k, curvature(s, i));
-    A_.at(4 * j + 3, 4 * j + 3) +=
+    *column(columns, 4 * j + 3) +=
         section_.bending * remembered * k * rest_[at(j)] + std::abs(gradient_[at(4 * j + 3)]) / kMostAbout;
   }
 }
@@ -293,15 +297,16 @@ inline bool Rod::linearise(const RodState& s, const RodLoad& load) {
 }
 
 inline void Rod::linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient) {
+  const bool kept = stiffer > 1;  // for the next call, which shifts its diagonal
   if (stiffer < 3 || way_ != stiffer - 1) {
     begin_linear(s);
     slow_ = false;
-    stiffened_system(s, load, stiffer);
+    stiffened_system(s, load, stiffer, kept ? A_.column(0) : columns);
   } else {
-    shift_diagonal(stiffer);  // the rest is that of the last call, with stiffer - 1
+    shift_diagonal(stiffer, A_.column(0));  // the rest is that of the last call, with stiffer - 1
   }
   way_ = stiffer;
-  std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);
+  if (kept) std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);
   for (int k = 0; k < unknowns(); ++k) {
     gradient[k] = gradient_[at(k)];
     if (k % 4 == 3 ? turn_held_[at(k / 4)] != 0 : held_[at(k / 4)] != 0) columns[at(k) * Matrix::kStride] = 0;
@@ -328,7 +333,8 @@ inline bool Rod::stable(const RodState& s, const RodLoad& load) {
   RodLoad at_rest = load;
   at_rest.h = 0;
   prepare(s, at_rest);
-  system(s, at_rest, true);
+  A_.clear_beyond();
+  system(s, at_rest, A_.column(0));
   return A_.factor();
 }
 
