@@ -2,8 +2,6 @@
 #include "console/models/course_next.hpp"
 
 #include <QCoreApplication>
-#include <QLocale>
-#include <algorithm>
 
 #include "console/models/said.hpp"
 #include "record/progress.hpp"

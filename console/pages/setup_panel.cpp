@@ -42,9 +42,6 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
   start_->setMinimumHeight(48);
   column->addWidget(start_);
   connect(start_, &QPushButton::clicked, this, &SetupPanel::start);
-  // the key of a button that is off does nothing, and while an attempt runs it is to be told what it would do
-  while_running_ = new QShortcut(QKeySequence(Qt::Key_F5), this);
-  connect(while_running_, &QShortcut::activated, this, &SetupPanel::start);
   update_start();
   update_course();
 }
@@ -347,7 +344,6 @@ void SetupPanel::select_next() {
 void SetupPanel::update_start() {
   if (!start_) return;
   start_->setEnabled(!running_ && startable_ && lessons_->currentIndex().isValid());
-  while_running_->setEnabled(running_);
   start_->setToolTip(startable_ ? QString() : tr("This lesson cannot run; the picture says why."));
   variant_->setEnabled(!running_ && startable_ && lessons_->currentIndex().isValid() &&
                        lessons_->currentIndex().data(LessonsModel::kProblem).toString().isEmpty());

@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
-#include <QShortcut>
 #include <QWidget>
 
 #include "console/models/lessons_model.hpp"
@@ -86,7 +85,6 @@ class SetupPanel : public QWidget {
   QStringList known_;
   QString wanted_device_, own_instrument_;  // wanted_device_: "" is the lesson's first choice
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
-  QShortcut* while_running_ = nullptr;
   QLabel *explain_ = nullptr, *course_ = nullptr;
   QPushButton* to_course_ = nullptr;
   int course_row_ = -1;

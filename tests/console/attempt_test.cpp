@@ -17,7 +17,6 @@
 #include "console/models/standing.hpp"
 #include "console/models/variant.hpp"
 #include "console/pages/now_panel.hpp"
-#include "console/view3d/panels.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -25,6 +24,16 @@ namespace {
 
 class AttemptOnPage : public WindowTest {
  protected:
+  /// A test without an end, begun with the readings open.
+  void begin_test() {
+    script.rate = 20;
+    script.end_s = 0;
+    open();
+    ASSERT_TRUE(wait_for_preview());
+    page()->show_instructor(true);
+    child<QAbstractButton>("test")->click();
+    click("start");
+  }
   QString task_line() { return window->findChild<console::NowPanel*>()->findChild<QLabel*>(QStringLiteral("task_line"))->text(); }
   const console::ViewWords& words() { return page()->view()->words(); }
   void choose_lesson(int row) {
@@ -89,13 +98,8 @@ TEST_F(AttemptOnPage, InATestTheReadingsAreNotOpenUnnoticed) {
 }
 
 TEST_F(AttemptOnPage, InATestReadingsThatComeOntoTheTraineesScreenAreClosedAndTold) {
-  script.rate = 20;
-  script.end_s = 0;
-  open();
-  ASSERT_TRUE(wait_for_preview());
-  page()->show_instructor(true);
-  child<QAbstractButton>("test")->click();
-  click("start");
+  begin_test();
+  if (HasFatalFailure()) return;
   auto* readings = child<QWidget>("instructor_window");
   readings->show();  // as when it is dragged back
   EXPECT_TRUE(eventually([&] { return !readings->isVisible(); }));
@@ -117,13 +121,8 @@ class TwoScreens : public AttemptOnPage {
  protected:
   void begin_test() {
     if (QGuiApplication::screens().size() < 2) GTEST_SKIP() << "there is one screen";
-    script.rate = 20;
-    script.end_s = 0;
-    open();
-    ASSERT_TRUE(wait_for_preview());
-    page()->show_instructor(true);
-    child<QAbstractButton>("test")->click();
-    click("start");
+    AttemptOnPage::begin_test();
+    if (HasFatalFailure()) return;
     readings = child<QWidget>("instructor_window");
     ASSERT_TRUE(wait_for_time(2));
     ASSERT_TRUE(readings->isVisible()) << "the trainee does not see it";
@@ -265,79 +264,6 @@ TEST(Attempts, ARecordedHandIsNobodysProgress) {
   for (int row = 0; row < model.rowCount(); ++row) modes += model.index(row, console::AttemptsModel::kMode).data().toString();
   EXPECT_EQ(modes.count("Recorded hand, not counted"), 2) << modes.join(", ").toStdString();
   EXPECT_EQ(modes.count("Practice"), 1);
-}
-
-// During a drag in it an inset neither moves nor zooms: equal mouse motions are equal tip motions.
-TEST(Insets, KeepTheirZoomInADrag) {
-  FakeScript script;
-  base::Problems none;
-  const auto session = open_fake({}, none, script, std::make_shared<FakeLog>());
-  console::SceneState scene;
-  scene.set_card(session->card());
-  console::ViewPoint point(scene);
-  console::PanelLayout panels(scene, point);
-  panels.set_area({800, 600}, 1);
-  panels.show_second(true);
-  panels.show_loupe(true);
-  snapshot::Snapshot now;
-  const auto go_to = [&](double time_s, float wound_mm) {
-    fake_state(script, time_s, now);
-    scene.take(now, false);
-    console::WoundPlace wound;
-    wound.radius = wound_mm;
-    panels.set_wound(wound);
-    for (int i = 0; i < 20; ++i) panels.advance(0.1);
-  };
-  const auto span = [&](console::Inset which) {
-    for (const console::Panel& p : panels.panels())
-      if (p.inset == which) return std::pair{p.at, p.view.eye.mm_per_pixel(p.size.height())};
-    return std::pair{QRectF(), 0.0};
-  };
-  go_to(0, 0.1F);
-  for (const console::Inset inset : {console::Inset::kDepth, console::Inset::kWound}) {
-    go_to(0, 0.1F);
-    const auto before = span(inset);
-    ASSERT_GT(before.second, 0);
-    panels.hold(inset);
-    go_to(3, 1);
-    EXPECT_EQ(span(inset), before);
-    panels.hold({});
-    go_to(3, 1);
-    EXPECT_NE(span(inset).second, before.second) << "afterwards it shows what there is to see";
-  }
-}
-
-// Keys are held for long, and a picture that turns or grows under them cannot be steered by.
-TEST(Insets, TheSecondViewStandsStillWhileAKeyMovesTheTipsInIt) {
-  FakeScript script;
-  base::Problems none;
-  const auto session = open_fake({}, none, script, std::make_shared<FakeLog>());
-  console::SceneState scene;
-  scene.set_card(session->card());
-  console::ViewPoint point(scene);
-  console::PanelLayout panels(scene, point);
-  panels.set_area({800, 600}, 1);
-  panels.show_second(true);
-  snapshot::Snapshot now;
-  const auto go_to = [&](double time_s) {
-    fake_state(script, time_s, now);
-    scene.take(now, false);
-    for (int i = 0; i < 20; ++i) panels.advance(0.1);
-  };
-  const auto inset = [&] {
-    for (const console::Panel& p : panels.panels())
-      if (p.inset == console::Inset::kDepth) return std::pair{p.at, p.view.eye.view()};
-    return std::pair{QRectF(), QMatrix4x4()};
-  };
-  go_to(0);
-  const auto before = inset();
-  ASSERT_FALSE(before.first.isEmpty());
-  panels.set_keys_down(true);
-  go_to(0.05);
-  EXPECT_EQ(inset(), before);
-  go_to(3);
-  EXPECT_NE(inset(), before) << "the tips have left it";
-  panels.set_keys_down(false);
 }
 
 class OwnLessonOnPage : public WindowTest {

@@ -15,9 +15,6 @@
 #include "console/models/metric_titles.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
-#include "console/view3d/panels.hpp"
-#include "console/view3d/scene_state.hpp"
-#include "console/view3d/view_point.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -87,9 +84,12 @@ TEST_F(Trainee, NobodyIsAddedUnasked) {
   EXPECT_EQ(asked, 2);
   ASSERT_EQ(log->started, 1);
   EXPECT_EQ(log->last.person, "Guesta");
+  window->activateWindow();  // a platform without a window manager leaves no window active after a dialog
+  ASSERT_TRUE(eventually([&] { return window->isActiveWindow(); }));
   QTest::keyClick(window.get(), Qt::Key_F5);
   EXPECT_EQ(log->started, 1) << "one key does not end an attempt";
-  EXPECT_TRUE(child<QLabel>("problem")->isVisible() && child<QLabel>("problem")->text().contains("Shift+F5")) << "and says so";
+  EXPECT_TRUE(child<QLabel>("problem")->isVisible()) << "and says so";
+  EXPECT_TRUE(child<QLabel>("problem")->text().contains("Shift+F5")) << child<QLabel>("problem")->text().toStdString();
   click("stop");
   EXPECT_FALSE(child<QLabel>("problem")->isVisible());
   click("start");
@@ -366,38 +366,6 @@ TEST_F(Trainee, ASmallScreenHasTheGuideTheCuesAndWhatHappened) {
   }
   EXPECT_GT(page()->view()->height(), 300);
   EXPECT_TRUE(child<QPushButton>("stop")->text().contains("Shift+F5"));
-}
-
-// The whole needle must be visible: its ends as well as its marked region.
-TEST(TraineePicture, AnInsetCoversNoEndOfTheNeedle) {
-  FakeScript script;
-  script.with_grasp = true;
-  base::Problems none;
-  const auto session = open_fake({}, none, script, std::make_shared<FakeLog>());
-  console::SceneState scene;
-  console::ViewPoint point(scene);
-  console::PanelLayout panels(scene, point);
-  scene.set_card(session->card());
-  ASSERT_EQ(scene.parts().ends.size(), 2U);
-  EXPECT_GT((scene.place_of(scene.parts().ends[0]) - scene.place_of(scene.parts().ends[1])).length(), 4) << "of an arc of 2.6 mm";
-  point.frame(console::CameraPreset::kOrbit);
-  auto now = std::make_unique<snapshot::Snapshot>();
-  for (const QSize& size : {QSize(670, 485), QSize(490, 450)}) {
-    panels.set_area(size, 1);
-    panels.show_second(true);
-    for (const double t : {0.2, 2.0, 4.5}) {
-      fake_state(script, t, *now);
-      scene.take(*now, false);
-      EXPECT_EQ(scene.taken(), t > 4);
-      for (int i = 0; i < 5; ++i) panels.advance(0.1);
-      const std::vector<console::Panel> all = panels.panels();
-      ASSERT_EQ(all.size(), 2U);
-      EXPECT_LT(all[1].at.width(), 0.45 * size.width());
-      for (const console::Spot& end : scene.parts().ends)
-        EXPECT_FALSE(all[1].at.contains(all[0].view.eye.project(scene.place_of(end), size))) << t << " s, " << size.width();
-    }
-    panels.show_second(false);
-  }
 }
 
 }  // namespace

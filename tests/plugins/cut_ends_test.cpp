@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "one_mouse.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
 
@@ -52,12 +53,7 @@ TEST(CutEnds, ACutBeforeAllIsTiedEndsTheAttempt) {
 }
 
 TEST(CutEnds, OneMouseLeadsThreeTools) {
-  LessonRun mouse(kLesson, "mouse");
-  EXPECT_EQ(mouse.problems(), "");
-  ASSERT_TRUE(mouse.ready());
-  mouse.run(1);
-  EXPECT_EQ(mouse.outcome(), "running");
-  EXPECT_EQ(mouse.engine().quarantined(), 0u);
+  expect_one_mouse_leads(kLesson);
 }
 
 TEST(Soak, TheExpertTiesAndCutsAndTheClumsyHandDoesNot) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/solver_health.hpp"
+#include "one_mouse.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
 
@@ -45,12 +46,7 @@ TEST(InterruptedSuture, TheExpertSewsThreeEqualStitchesAndCutsThemOff) {
 }
 
 TEST(InterruptedSuture, OneMouseLeadsNeedleAndScissors) {
-  LessonRun mouse(kLesson, "mouse");
-  EXPECT_EQ(mouse.problems(), "");
-  ASSERT_TRUE(mouse.ready());
-  mouse.run(1);
-  EXPECT_EQ(mouse.outcome(), "running");
-  EXPECT_EQ(mouse.engine().quarantined(), 0u);
+  expect_one_mouse_leads(kLesson);
 }
 
 TEST(InterruptedSuture, TheClumsyHandTearsTheTissue) {

@@ -16,6 +16,7 @@
 #define SWAGE_PARAM_TEXT 5    /* text */
 #define SWAGE_PARAM_VECTOR 6  /* number[0 .. dimension), in the SI unit */
 #define SWAGE_PARAM_FILE 7    /* text: absolute path, resolved by the host against the lesson file's folder */
+
 /* Flags of a parameter. */
 #define SWAGE_PARAM_LIVE 1u     /* may change while the scene runs */
 #define SWAGE_PARAM_REQUIRED 2u /* a lesson must give it; the default is then only a start for the form */
