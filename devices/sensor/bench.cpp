@@ -12,6 +12,15 @@
 
 namespace swage::sensor {
 
+namespace {
+
+constexpr int kFewest = 5;        // measurements of a mean: fewer would not show that the sensor moved meanwhile
+// s beyond the time of a mean for which a sensor may say nothing: a busy machine delivers a second late what was measured in time.
+// Longer, and a person waits for a sensor that is unplugged; shorter, and a busy machine reads as one.
+constexpr double kPatience = 3;
+
+}  // namespace
+
 std::string Bench::open(const std::string& port, int bits_per_s) {
   LinkSettings settings;
   settings.port = port;
@@ -35,20 +44,25 @@ void Bench::listen(double now_s) {
     if (m.kind != Reading::kJaw) continue;
     volts_ = good ? std::optional(m.value) : std::nullopt;
     if (!measuring_) continue;
+    if (first_s_ < 0) first_s_ = m.time_s;
+    last_s_ = m.time_s;
     beyond_ |= !good;
     if (!good) continue;
     low_ = n_ == 0 ? m.value : std::min(low_, m.value);
     high_ = n_ == 0 ? m.value : std::max(high_, m.value);
     sum_ += m.value, ++n_;
   }
-  if (now_s >= until_s_) measuring_ = false;
+  const bool long_enough = first_s_ >= 0 && last_s_ - first_s_ >= seconds_ && (n_ >= kFewest || beyond_);
+  if (long_enough || now_s >= until_s_) measuring_ = false;
 }
 
 void Bench::begin(double now_s, double seconds) {
   listen(now_s);  // drops measurements from before
   measuring_ = true;
   beyond_ = false;
-  until_s_ = now_s + seconds;
+  seconds_ = seconds;
+  until_s_ = now_s + seconds + kPatience;
+  first_s_ = last_s_ = -1;
   sum_ = sum_gauge_ = 0, n_ = n_gauge_ = 0;
 }
 
@@ -56,7 +70,7 @@ std::string Bench::mean(double& volts) const {
   // 20 mV, 20 um: a hand or a bench that still moves gives no valid mean
   constexpr double kStill = 20e-3;
   if (beyond_) return say::kBeyondRange();
-  if (n_ < 5) return say::kFewMeasurements(n_);
+  if (n_ < kFewest) return say::kFewMeasurements(n_);
   if (high_ - low_ > kStill) return say::kMoved(std::lround(1e3 * (high_ - low_)));
   volts = sum_ / n_;
   return "";

@@ -28,7 +28,8 @@ class Bench {
   const std::string& port() const { return port_; }
   std::optional<double> volts() const { return volts_; }  // the newest measurement, V
 
-  /// Begins a mean over the next `seconds`.
+  /// Begins a mean over the next `seconds` by the times of the measurements, not of their arrival: a busy machine reads them late and
+  /// all the same reads enough. A sensor that says nothing ends it 3 s later.
   void begin(double now_s, double seconds);
   bool measuring() const { return measuring_; }
   /// After its end: "" and the mean, or the reason why there is none, as a sentence.
@@ -41,7 +42,8 @@ class Bench {
   std::string port_;
   std::optional<double> volts_;
   bool measuring_ = false, beyond_ = false;
-  double until_s_ = 0, sum_ = 0, low_ = 0, high_ = 0;
+  double seconds_ = 0, until_s_ = 0, first_s_ = -1, last_s_ = -1;  // first, last: times of the measurements
+  double sum_ = 0, low_ = 0, high_ = 0;
   double sum_gauge_ = 0;
   int n_ = 0, n_gauge_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 
 #include "program.hpp"
@@ -25,40 +26,59 @@ using testing::HasSubstr;
 
 class Calibrate : public Program {
  protected:
-  std::unique_ptr<SensorThread> plug() {
+  void plug() {
     SimulatedSensor::Options options;
     options.serial = "B7";
-    return std::make_unique<SensorThread>(
+    sensor_ = std::make_unique<SensorThread>(
         options, [this](double) { return SimulatedSensor::Measured{volts_, 0, 0}; }, path("port"));
   }
-  /// Answers a verb step by step: before each line of text the sensor is brought to its volts.
+  /// Answers a verb step by step: each of its questions is waited for, the sensor is brought to its volts, and then the line is typed.
+  /// Nothing depends on how fast the machine is.
   int answer(const std::string& arguments, const std::vector<std::pair<double, std::string>>& lines) {
     signal(SIGPIPE, SIG_IGN);  // a verb that has ended early says why; the answers are not heard
-    const std::string command = std::string(SWAGE_PROGRAM) + " " + arguments + " > " + path("said") + " 2>&1";
+    std::filesystem::remove(path("said"));
+    const std::string command =
+        "{ " + std::string(SWAGE_PROGRAM) + " " + arguments + "; code=$?; echo ended; exit $code; } > " + path("said") + " 2>&1";
     FILE* in = popen(command.c_str(), "w");
+    std::size_t heard = 0;  // bytes of the verb's words: they come out with a question, or with its end
     for (const auto& [volts, text] : lines) {
-      volts_ = volts;
-      nap(0.1);
+      EXPECT_TRUE(eventually([&] { return said().size() > heard || said().ends_with("ended\n"); })) << arguments << " asks nothing";
+      heard = said().size();
+      bring_to(volts);
       fprintf(in, "%s\n", text.c_str());
       fflush(in);
-      // it has measured when it asks the next question
-      const std::size_t questions = asked();
-      for (int i = 0; i < 300 && asked() == questions; ++i) nap(0.01);
     }
     const int code = pclose(in);
     return WEXITSTATUS(code);
+  }
+  /// Returns once the sensor has sent these volts, and no message from before is on its way.
+  void bring_to(double volts) {
+    volts_ = volts;
+    const std::uint64_t before = sent();
+    EXPECT_TRUE(eventually([&] { return sent() > before + 20; })) << "a tenth of a second of messages";
+  }
+  template <class Condition>
+  static bool eventually(Condition condition) {
+    for (const double until = sensor::now_s() + 120; sensor::now_s() < until; nap(2e-3))
+      if (condition()) return true;
+    return false;
   }
   std::string said() const {
     std::ifstream in(path("said"));
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  std::size_t asked() const { return said().size(); }
+  std::uint64_t sent() {
+    std::uint64_t n = 0;
+    sensor_->with([&](SimulatedSensor& s) { n = s.sent(); });
+    return n;
+  }
 
   std::atomic<double> volts_{0};
+  std::unique_ptr<SensorThread> sensor_;  // reads volts_
 };
 
 TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
-  auto sensor = plug();
+  plug();
   const std::string port = " --port " + path("port") + " --seconds 0.1";
   std::vector<std::pair<double, std::string>> points;
   for (int i = 0; i <= 12; ++i) points.emplace_back(-3 + 0.5 * i, std::to_string(0.5 * i));
@@ -134,7 +154,7 @@ TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
 
 TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {
   Running simulated({"simulate-sensor", "--link", path("jaw"), "--corrupt-each", "20", "--drift", "0.004"}, folder());
-  for (int i = 0; i < 500 && access(path("jaw").c_str(), F_OK) != 0; ++i) nap(0.01);
+  ASSERT_TRUE(eventually([&] { return access(path("jaw").c_str(), F_OK) == 0; }));
   write("lesson.json", R"({ "format": "swage-lesson/1", "id": "org.example.try", "title": "Try", "summary": "Try.", "scene_length": "1 mm",
     "requires": { "swage.device.jaw_sensor": "^1", "swage.lesson.look": "^1", "swage.object.jaws": "^1" },
     "devices": [ { "name": "hand", "plugin": "swage.device.jaw_sensor", "params": { "port": ")" +

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The jaw sensor's parts: JAW1 in lines and frames against rubbish, foreign readers, and the map of clocks.
+// The jaw sensor's parts: JAW1 in lines and frames against rubbish, foreign readers, the map of clocks, and the mean of a sensor at rest.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "sensor/bench.hpp"
 #include "sensor/clock_map.hpp"
 #include "sensor/foreign.hpp"
 #include "sensor/jaw1.hpp"
+#include "sensor/sentences.hpp"
+#include "sensor_thread.hpp"
+#include "temp_folder.hpp"
 
 namespace swage::sensor {
 namespace {
@@ -202,6 +206,53 @@ TEST(ClockMap, ARestartBeginsAnewAndARunOverSeventyMinutesDoesNot) {
   for (uint32_t clock = 0xFFFFFFFFu - 500000; t < 1; t += 0.01, clock += 10000)
     EXPECT_NEAR(wraps.stamp(clock, 32, 50 + t), 50 + t, 1e-9);
   EXPECT_EQ(wraps.restarts(), 0u);
+}
+
+// A sensor and its reader, with a clock that the test turns.
+class RestingSensor : public testing::Test {
+ protected:
+  RestingSensor() {
+    sensor_.plug(folder_ / "port");
+    EXPECT_EQ(bench_.open(folder_ / "port", 115200), "");
+    deliver(0);
+  }
+  /// What the sensor has measured up to the time t [s] reaches the reader, at that time.
+  void deliver(double t) {
+    volts_ += 1e-6;  // tells the newest measurement from those before
+    sensor_.tick(begin_ + t);
+    for (int i = 0; i < 5000; ++i, test::nap(1e-3)) {  // a port hands bytes over when the kernel comes to it
+      bench_.listen(begin_ + t);
+      if (bench_.volts() && std::abs(*bench_.volts() - volts_) < 0.5e-6) return;
+    }
+    FAIL() << "nothing arrived";
+  }
+  double volts_ = 1;
+  double begin_ = now_s();
+  test::TempFolder folder_;
+  SimulatedSensor sensor_{{}, [this](double) { return SimulatedSensor::Measured{volts_, 0, 0}; }};
+  Bench bench_;
+};
+
+TEST_F(RestingSensor, OnABusyMachineIsReadLateAndLongEnough) {
+  deliver(0.1);
+  bench_.begin(begin_ + 0.1, 0.1);
+  bench_.listen(begin_ + 0.6);  // neither side had the processor
+  EXPECT_TRUE(bench_.measuring()) << "what was measured is on its way";
+  deliver(0.6);
+  EXPECT_FALSE(bench_.measuring());
+  double volts = 0;
+  ASSERT_EQ(bench_.mean(volts), "");
+  EXPECT_NEAR(volts, 1, 1e-5);
+}
+
+TEST_F(RestingSensor, ThatSaysNothingEndsTheMean) {
+  bench_.begin(begin_ + 0.1, 0.1);
+  bench_.listen(begin_ + 2);
+  EXPECT_TRUE(bench_.measuring());
+  bench_.listen(begin_ + 3.3);
+  EXPECT_FALSE(bench_.measuring());
+  double volts = 0;
+  EXPECT_EQ(bench_.mean(volts), say::kFewMeasurements(0));
 }
 
 }  // namespace
