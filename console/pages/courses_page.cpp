@@ -114,7 +114,7 @@ QWidget* CoursesPage::make_steps() {
   card.body->addWidget(title_);
   in_order_ = new QCheckBox(tr("One after the other"), card.frame);
   in_order_->setObjectName(QStringLiteral("in_order"));
-  in_order_->setToolTip(tr("A lesson opens when the one before it is passed"));
+  in_order_->setToolTip(tr("A lesson opens when the one before it is passed: until then practice asks first, and a test needs an instructor's reason"));
   connect(in_order_, &QCheckBox::clicked, this, [this](bool on) { editing_.edit(tr("Order"), [&](record::Course& c) { c.in_order = on; }); });
   card.body->addWidget(in_order_);
   steps_ = make_list("steps", tr("Lessons of the course"), card.frame);

@@ -265,9 +265,13 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
                  : r.missing_steps > 0    ? tr("▲ Recorded, but %1 steps are missing.").arg(r.missing_steps)
                  : card.mode == "hand"    ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
                                           : tr("Recorded."));
-  if (readings_open) kept_->setText(kept_->text() + QLatin1Char('\n') + tr("▲ The readings were open on the trainee's screen."));
+  if (readings_open) add_remark(tr("The readings were open on the trainee's screen."));
   show_notes(r);
   announce();
+}
+
+void ResultPanel::add_remark(const QString& words) {
+  if (!words.isEmpty()) kept_->setText(kept_->text() + QLatin1Char('\n') + tr("▲ %1").arg(words));
 }
 
 void ResultPanel::show_seen(const session::Result& r) {

@@ -22,6 +22,8 @@ class ResultPanel : public QWidget {
   void set_theme(const UiTheme& theme);
   /// `readings_open`: the trainee's screen showed the readings of this test.
   void show_result(const session::Result& result, const snapshot::SceneCard& card, bool kept, bool readings_open = false);
+  /// A caveat on how the shown attempt was made, as a sentence; "" adds none.
+  void add_remark(const QString& words);
   /// The end of a demonstration: nothing was judged.
   void show_seen(const session::Result& result);
   /// Active time that costs no points, s; 0 where the lesson says none. For the next result.

@@ -37,6 +37,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
       lessons_(lessons),
       strip_(strip),
       setup_(new SetupPanel(lessons, this)),
+      course_(new CourseControl(lessons, setup_, this)),
       options_(*setup_),
       editing_(new LessonEditing(lessons, setup_, control_, options_, this)),
       events_(new EventLog(this)),
@@ -121,7 +122,6 @@ void RunPage::connect_setup() {
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
   for (const auto changed : {&SetupPanel::mode_changed, &SetupPanel::lesson_changed, &SetupPanel::person_chosen})
     connect(setup_, changed, this, &RunPage::tell_subject);
-  connect(setup_, &SetupPanel::person_chosen, this, &RunPage::show_course);
   // a verdict of another lesson is gone at once, the new scene comes when the list rests
   connect(setup_, &SetupPanel::lesson_changed, this, [this] {
     if (!control_->running() && shown_lesson_ != setup_->lesson()) forget_attempt();
@@ -310,7 +310,7 @@ void RunPage::launch(bool unrecorded) {
   if (preview_timer_.isActive() || !setup_->startable()) preview();
   if (!setup_->startable()) return;
   const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
-  if (kept && !(agree_on_person() && enter_person())) return;
+  if (kept && !(agree_on_person() && enter_person() && course_->agree())) return;
   presenter_->clear();
   instructor_->begin();
   fault_->clear();
@@ -323,6 +323,8 @@ void RunPage::launch(bool unrecorded) {
   }
   o.display = presenter_->begin(like, guided());
   if (!control_->start(o)) return;
+  opened_ = kept && !course_->reason().isEmpty() ? tr("Opened before its turn in the course: %1.").arg(course_->reason()) : QString();
+  if (!opened_.isEmpty()) control_->note(opened_.toStdString());
   presenter_->guide().show();
   view_->setFocus();
 }
@@ -360,34 +362,21 @@ void RunPage::show_finished() {
     result_->show_seen(r);
   else
     result_->show_result(r, control_->card(), !r.attempt_id.empty(), instructor_->were_open());
+  if (!asked_.show) result_->add_remark(opened_);
   result_->set_criteria(asked_);
   result_->set_course({});
   right_->setCurrentWidget(result_);
   presenter_->end(r.simulated_s, result_->outcome());
   Q_EMIT attempt_over();  // after which the course is read again, with this attempt
-  const QString of_course = step_in_course();
+  const QString of_course = course_->standing(shown_lesson_);
   if (!of_course.isEmpty() && !asked_.show) result_->set_course(tr("In the course: %1.").arg(of_course));
-  result_->set_can_go_on(setup_->has_next() || course_row() >= 0);
-}
-
-// The row of the lesson that the person's course asks for next; -1 without one.
-int RunPage::course_row() const { return course_ && !course_->lesson_id.isEmpty() ? lessons_->row_of(course_->lesson_id) : -1; }
-
-// How far the person is with the shown lesson; "" where it is of no course of theirs.
-QString RunPage::step_in_course() const {
-  const int row = lessons_->row_of(shown_lesson_);
-  return course_ && row >= 0 ? course_->steps.value(lessons_->at(row).id) : QString();
-}
-
-void RunPage::show_course() {
-  course_ = find_course_ ? find_course_(setup_->person()) : std::nullopt;
-  setup_->set_course(course_ ? course_->words : QString(), course_row());
+  result_->set_can_go_on(setup_->has_next() || course_->row() >= 0);
 }
 
 // From the result of a lesson of a course to the one that the course asks for next, else down the list.
 void RunPage::go_on() {
-  const int row = course_row(), now = lessons_->row_of(setup_->lesson());
-  const bool of_course = right_->currentWidget() == result_ && !step_in_course().isEmpty();
+  const int row = course_->row(), now = lessons_->row_of(setup_->lesson());
+  const bool of_course = right_->currentWidget() == result_ && !course_->standing(shown_lesson_).isEmpty();
   of_course && row >= 0 && row != now ? setup_->select_lesson(row) : setup_->select_next();
 }
 

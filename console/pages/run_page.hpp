@@ -18,13 +18,13 @@
 
 #include "console/link/arm_reader.hpp"
 #include "console/link/run_control.hpp"
-#include "console/models/course_next.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
 #include "console/pages/action_bar.hpp"
 #include "console/pages/attempt_options.hpp"
 #include "console/pages/attempt_presenter.hpp"
+#include "console/pages/course_control.hpp"
 #include "console/pages/fault_card.hpp"
 #include "console/pages/instructor_control.hpp"
 #include "console/pages/lesson_editing.hpp"
@@ -37,9 +37,6 @@ namespace swage::console {
 /// Enters a person, by name, in the store before an attempt is kept; nothing happens where the person is there. Returns why that failed,
 /// as a sentence; "" on success.
 using PersonAdder = std::function<QString(const QString& name)>;
-
-/// What a person's course asks next, by name; no value without a course.
-using CourseFinder = std::function<std::optional<CourseNext>(const QString& name)>;
 
 class RunPage : public QWidget {
   Q_OBJECT
@@ -76,9 +73,9 @@ class RunPage : public QWidget {
   void set_expert(ExpertOpener open);
   /// A person whom nobody entered would have the name as code, which exports say.
   void set_person_adder(PersonAdder add) { add_person_ = std::move(add); }
-  void set_course_finder(CourseFinder find) { find_course_ = std::move(find); }
+  void set_course_finder(CourseFinder find) { course_->set_finder(std::move(find)); }
   /// Reads the course of the person again.
-  void show_course();
+  void show_course() { course_->refresh(); }
   /// Live help: a ghost of an expert's instruments in the picture, at the trainee's pace. Never in a test.
   void set_guided(bool on) { actions_->set_guide(on); }
   void click_guide() { actions_->click_guide(); }  // nothing while it is disabled
@@ -144,19 +141,16 @@ class RunPage : public QWidget {
   void show_finished();
   void forget_attempt();
   void go_on();
-  int course_row() const;
-  QString step_in_course() const;
   void tell_subject();
 
   bool draws_seed_ = false;
   bool told_running_ = false;  // a second start was answered with words; they go with the attempt
   PersonAdder add_person_;
-  CourseFinder find_course_;
-  std::optional<CourseNext> course_;  // of the person
   RunControl* control_;
   LessonsModel* lessons_;
   StatusStrip* strip_;
   SetupPanel* setup_;
+  CourseControl* course_;
   AttemptOptions options_;
   LessonEditing* editing_;
   EventLog* events_;
@@ -173,6 +167,7 @@ class RunPage : public QWidget {
   ResultPanel* result_ = nullptr;
   InstructorControl* instructor_ = nullptr;
   QShortcut* next_ = nullptr;
+  QString opened_;  // an instructor's reason for this attempt before its turn in a course, as a sentence; ""
   Criteria asked_;                          // of the lesson whose scene is shown
   QString shown_lesson_;                    // that lesson
   QTimer preview_timer_;

@@ -68,6 +68,10 @@ QWidget* SetupPanel::make_who() {
   course_ = make_muted({}, card.frame);
   course_->setObjectName(QStringLiteral("course_next"));
   card.body->addWidget(course_);
+  not_open_ = make_muted({}, card.frame);
+  not_open_->setObjectName(QStringLiteral("course_not_open"));
+  not_open_->hide();
+  card.body->addWidget(not_open_);
   to_course_ = make_keyed_button(tr("To that lesson"), QStringLiteral("Ctrl+L"), QStringLiteral("to_course_lesson"), card.frame);
   to_course_->setToolTip(tr("Chooses the next lesson of the course, in Test: only tests count there"));
   give_key(to_course_, QStringLiteral("Ctrl+L"));
@@ -324,6 +328,11 @@ void SetupPanel::set_course(const QString& words, int row) {
   course_->setText(words);
   course_row_ = row;
   update_course();
+}
+
+void SetupPanel::set_not_open(const QString& words) {
+  not_open_->setText(words.isEmpty() ? QString() : tr("▲ %1").arg(words));
+  not_open_->setVisible(!words.isEmpty());
 }
 
 void SetupPanel::update_course() {

@@ -54,6 +54,8 @@ class SetupPanel : public QWidget {
   void set_show(bool show);
   /// What the person's course asks next, and the row of that lesson, -1 for none; "" without a course.
   void set_course(const QString& words, int row);
+  /// Why the turn of the chosen lesson has not come in the person's course; "" where it has.
+  void set_not_open(const QString& words);
   bool has_next() const;
   void select_next();
 
@@ -85,7 +87,7 @@ class SetupPanel : public QWidget {
   QStringList known_;
   QString wanted_device_, own_instrument_;  // wanted_device_: "" is the lesson's first choice
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
-  QLabel *explain_ = nullptr, *course_ = nullptr;
+  QLabel *explain_ = nullptr, *course_ = nullptr, *not_open_ = nullptr;
   QPushButton* to_course_ = nullptr;
   int course_row_ = -1;
   void update_modes();

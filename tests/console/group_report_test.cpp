@@ -102,6 +102,32 @@ TEST(CourseNexts, NameTheFirstOpenLessonThatIsNotPassed) {
   EXPECT_FALSE(course_next(std::vector<record::Course>{}, own));
 }
 
+// The order of a course closes what comes later, with the lesson that comes first; another course may have it open.
+TEST(CourseNexts, CloseALessonUntilTheOneBeforeItIsPassed) {
+  record::Course basic = course();
+  basic.steps.push_back(basic.steps[1]);
+  basic.steps[2].lesson_id = basic.steps[2].title = "stitch";
+  std::vector<record::AttemptRow> own = {attempt("grasp", "2026-03-04T10:00:00Z", true, 90)};
+  const auto closed = [&](std::vector<record::Course> courses) { return course_next(courses, own)->closed; };
+  const QHash<QString, ClosedLesson> first = closed({basic});
+  EXPECT_FALSE(first.contains("grasp"));
+  EXPECT_EQ(first["carry"].words, "Not open yet in the course Basic: “grasp” comes first (1 of 2 Test attempts in a row).");
+  EXPECT_EQ(first["stitch"].first, "grasp") << "what can be done now, not the lesson just before";
+  EXPECT_FALSE(closed({basic}).contains("other")) << "a lesson of no course";
+  record::Course free = basic;
+  free.in_order = false;
+  EXPECT_TRUE(closed({free}).isEmpty());
+  EXPECT_TRUE(closed({basic, free}).isEmpty()) << "open in another course of the same person";
+  record::Course opened = basic;
+  opened.steps[1].is_open = true;
+  EXPECT_FALSE(closed({opened}).contains("carry"));
+  EXPECT_TRUE(closed({opened}).contains("stitch")) << "an open lesson does not open the one behind it";
+  for (const char* utc : {"2026-03-04T11:00:00Z", "2026-03-04T11:01:00Z"}) own.push_back(attempt("carry", utc, true, 80));
+  EXPECT_FALSE(closed({basic}).contains("carry")) << "it was passed before the course was assigned";
+  own.push_back(attempt("grasp", "2026-03-04T12:00:00Z", true, 90));
+  EXPECT_TRUE(closed({basic}).isEmpty());
+}
+
 TEST(GroupRows, WhoNeedsAttentionComesFirst) {
   std::vector<record::AttemptRow> stuck;
   for (const char* utc : {"2026-03-04T10:02:00Z", "2026-03-04T10:01:00Z", "2026-03-04T10:00:00Z"}) stuck.push_back(attempt("grasp", utc, false, 0));

@@ -137,6 +137,89 @@ void keep_test(const std::string& store, const char* person, const char* lesson)
   recorder->finish(end);
 }
 
+// A course of two lessons, one after the other, for Chen W., who is chosen on the Run page; the second lesson is chosen.
+class CourseOrder : public InstructorPages {
+ protected:
+  void begin() {
+    script.rate = 100;
+    open();
+    add_chen();
+    record::Course course;
+    course.title = "Basic";
+    for (const char* lesson : {"test.grasp", "test.carry"}) {
+      record::CourseStep step;
+      step.lesson_id = step.title = lesson;
+      step.rule.in_a_row = 1, step.rule.later_day = 0;
+      course.steps.push_back(step);
+    }
+    ASSERT_TRUE(window->desk()->change_course({}, course, QStringLiteral("course")));
+    record::School* school = window->desk()->school();
+    record::Person chen;
+    ASSERT_TRUE(school->find_person("Chen W.", chen));
+    ASSERT_TRUE(window->desk()->assign(QString::fromStdString(school->courses().at(0).id), {chen.id}, false, {}));
+    child<QComboBox>("person")->setCurrentText(QStringLiteral("Chen W."));
+    page()->setup()->select_lesson(1);
+    ASSERT_TRUE(wait_for_preview());
+  }
+  /// Presses F5 and answers the question with a button; `reason`: is typed first. Returns whether the question came.
+  bool start_and_answer(const char* button, const QString& reason = {}) {
+    bool asked = false;
+    in_dialog("order_dialog", [&asked, button, reason](QDialog* d) {
+      asked = true;
+      auto* push = d->findChild<QPushButton*>(QString::fromLatin1(button));
+      if (auto* why = d->findChild<QComboBox*>(QStringLiteral("order_reason"))) {
+        EXPECT_FALSE(d->findChild<QPushButton*>(QStringLiteral("order_begin"))->isEnabled()) << "without a reason";
+        why->setCurrentText(reason);
+      }
+      push->click();
+    });
+    QApplication::setActiveWindow(window.get());
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    return asked;
+  }
+};
+
+TEST_F(CourseOrder, ATestBeforeItsTurnNeedsAnInstructorsReasonWhichItKeeps) {
+  begin();
+  EXPECT_EQ(child<QLabel>("course_not_open")->text(), "▲ Not open yet in the course Basic: “test.grasp” comes first (0 of 1 Test attempts in a row).");
+  page()->setup()->set_mode(QStringLiteral("test"));
+  EXPECT_TRUE(start_and_answer("order_cancel"));
+  EXPECT_FALSE(control()->running());
+  EXPECT_TRUE(start_and_answer("order_first"));
+  EXPECT_FALSE(control()->running());
+  EXPECT_TRUE(page()->setup()->lesson().contains("grasp"));
+  EXPECT_TRUE(child<QLabel>("course_not_open")->isHidden());
+  page()->setup()->select_lesson(1);
+  EXPECT_TRUE(start_and_answer("order_begin", "Assessment"));
+  ASSERT_TRUE(control()->running());
+  ASSERT_TRUE(wait_for_end());
+  ASSERT_EQ(log->noted.size(), 1u);
+  EXPECT_EQ(log->noted.front(), "Opened before its turn in the course: Assessment.");
+  EXPECT_TRUE(child<QLabel>("kept")->text().contains("Opened before its turn in the course: Assessment.")) << child<QLabel>("kept")->text().toStdString();
+  // that of the first lesson needs no reason, and its result tells none
+  page()->setup()->select_lesson(0);
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  ASSERT_TRUE(control()->running());
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_FALSE(child<QLabel>("kept")->text().contains("before its turn"));
+}
+
+TEST_F(CourseOrder, PracticeBeforeItsTurnIsAskedAboutOnceAndADemonstrationIsNot) {
+  begin();
+  page()->setup()->set_mode(QStringLiteral("demo"));
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  ASSERT_TRUE(control()->running());
+  ASSERT_TRUE(wait_for_end());
+  page()->setup()->set_mode(QStringLiteral("practice"));
+  EXPECT_TRUE(start_and_answer("order_begin"));
+  ASSERT_TRUE(control()->running());
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_TRUE(log->noted.empty()) << "it counts for no course";
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_TRUE(control()->running()) << "asked once";
+  ASSERT_TRUE(wait_for_end());
+}
+
 // From the course, given on People, over its lessons to the last test and back: the Run page tells what is asked next, and each result
 // how far the person is.
 TEST_F(InstructorPages, ACourseLeadsThroughItsLessonsToItsLastTest) {
