@@ -92,5 +92,61 @@ TEST(SeriesTexts, BendTheNeedleWhereHandsAreGraded) {
   EXPECT_GE(bending, 10);
 }
 
+/// A lesson of the series by the beginning of its file's name, and the parameters of its needle.
+nlohmann::json lesson_of(const std::string& begin) {
+  for (const auto& [path, lesson] : all())
+    if (std::filesystem::path(path).filename().string().starts_with(begin)) return lesson;
+  ADD_FAILURE() << "no lesson " << begin;
+  return nlohmann::json::object();
+}
+nlohmann::json needle_of(const nlohmann::json& lesson) {
+  for (const auto& object : lesson.value("objects", nlohmann::json::array()))
+    if (object["plugin"] == "swage.object.needle") return object["params"];
+  return nlohmann::json::object();
+}
+double millimetres(const nlohmann::json& text) { return std::stod(text.get<std::string>()); }  // "0.3 mm"
+
+// the thesis's forms of a grasp: 6.2.2 a straight needle, 6.2.3 three arcs, perpendicular and with the tips, 6.2.4 the same three carried to
+// a point and held for 10 s, 6.5.1 the tips not beyond the needle's body
+TEST(SeriesTexts, GraspAsTheThesisDoes) {
+  EXPECT_EQ(needle_of(lesson_of("020")).value("arc", ""), "straight");
+  const char* const advanced[][2] = {{"030", "thesis_2_8.json"}, {"031", "thesis_3_8.json"}, {"032", "thesis_4_8.json"}};
+  for (const auto& [name, model] : advanced) {
+    const nlohmann::json lesson = lesson_of(name), params = lesson["lesson"]["params"];
+    EXPECT_EQ(needle_of(lesson).value("model", ""), model) << name;
+    EXPECT_TRUE(params.value("tips_needed", false)) << name;
+    EXPECT_TRUE(params.contains("max_tilt")) << name << " asks for no perpendicular grasp";
+    EXPECT_LE(millimetres(params["tip_zone"][1]), 0.3) << name << ": three wire diameters past the needle's centre line";
+  }
+  const nlohmann::json carry = lesson_of("040"), params = carry["lesson"]["params"];
+  EXPECT_EQ(needle_of(carry).value("model", ""), "thesis_4_8.json");
+  EXPECT_TRUE(params.value("carry", false));
+  EXPECT_EQ(params.value("hold_time", ""), "10 s");
+  const char* const variants[][2] = {{"041", "thesis_2_8.json"}, {"042", "thesis_3_8.json"}};
+  for (const auto& [name, model] : variants) {
+    EXPECT_EQ(lesson_of(name).value("based_on", ""), "040_grasp_advanced_2.json");
+    EXPECT_EQ(lesson_of(name)["set"].value("needle.model", ""), model);
+  }
+  EXPECT_LE(millimetres(lesson_of("116")["lesson"]["params"]["tip_zone"][1]), 0.6) << "one that hangs between jaws of its width";
+}
+
+// 6.4: three arcs on a flat surface and on two slopes, each with its file
+TEST(SeriesTexts, InsertThreeNeedlesOnThreeSurfaces) {
+  const auto pair = [](const nlohmann::json& lesson) {
+    const auto set = lesson.value("set", nlohmann::json::object());
+    return std::pair(set.value("needle.arc", std::string("3/8")), set.value("tissue.form", std::string("flat")));
+  };
+  std::vector<std::pair<std::string, std::string>> there;
+  for (const char* name : {"110_", "111_", "112_", "113_insertion_left.", "113_insertion_left_q", "113_insertion_left_h", "114_insertion_right.",
+                           "114_insertion_right_q", "114_insertion_right_h"})
+    there.push_back(pair(lesson_of(name)));
+  EXPECT_EQ(needle_of(lesson_of("110_")).value("arc", ""), "3/8");
+  std::vector<std::pair<std::string, std::string>> wanted;
+  for (const char* arc : {"2/8", "3/8", "4/8"})
+    for (const char* form : {"flat", "left slope", "right slope"}) wanted.emplace_back(arc, form);
+  std::sort(there.begin(), there.end());
+  EXPECT_EQ(there, wanted);
+}
+
 }  // namespace
 }  // namespace swage::stage

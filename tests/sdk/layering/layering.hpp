@@ -30,6 +30,10 @@ std::vector<std::string> spdx_violations(const std::filesystem::path& root);
 /// Code of more than 400 lines: more than one thing in one file.
 std::vector<std::string> length_violations(const std::filesystem::path& root);
 
+/// Words that gave way to the field's and came back: identifiers in code, and texts that people read. `words`: tests/sdk/former_words.txt.
+/// Throws std::runtime_error with a line that cannot be read.
+std::vector<std::string> word_violations(const std::filesystem::path& root, const std::filesystem::path& words);
+
 /// Rooms without a README.md; and READMEs of 30 lines or more, wherever they stand.
 std::vector<std::string> readme_violations(const std::filesystem::path& root);
 

@@ -50,6 +50,23 @@ TEST(Layering, files_are_short) {
   EXPECT_TRUE(found.empty()) << lines(found);
 }
 
+TEST(Words, that_gave_way_to_the_fields_do_not_come_back) {
+  const std::vector<std::string> found = word_violations(kRoot, kRoot / "tests/sdk/former_words.txt");
+  EXPECT_TRUE(found.empty()) << lines(found);
+}
+
+TEST(Words, that_come_back_are_found) {
+  const TempFolder root;
+  const std::filesystem::path top = root.path(), words = top / "words.txt";
+  std::filesystem::create_directories(top / "console");
+  std::ofstream(words) << "# why\ncode take_stand luggage\nscreen Way of the tips\n";
+  std::ofstream(top / "console/page.cpp") << "int take_stand();\nint take_stands, mistake_stand;\n";
+  std::ofstream(top / "console/words.json") << "{\n \"motion.path\": \"Way of the tips\", \"luggage\": 1 }\n";
+  EXPECT_THAT(word_violations(top, words), ElementsAre("console/page.cpp:1: take_stand", "console/words.json:2: Way of the tips"));
+  std::ofstream(words) << "take_stand\n";
+  EXPECT_THROW(word_violations(top, words), std::runtime_error);
+}
+
 TEST(BrokenTree, long_files_are_found) {
   const TempFolder root;
   const std::filesystem::path scene = std::filesystem::path(root.path()) / "framework/scene";
