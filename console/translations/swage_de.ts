@@ -711,6 +711,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Next: %1, %2.</source>
         <translation>Als Nächstes: %1, %2.</translation>
     </message>
+    <message>
+        <source>Not open yet in the course %1: %2.</source>
+        <translation>Im Kurs %1 noch nicht offen: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” comes first (%2)</source>
+        <translation>zuerst kommt „%1“ (%2)</translation>
+    </message>
 </context>
 <context>
     <name>course_words</name>
@@ -1669,10 +1677,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Eine nach der anderen</translation>
     </message>
     <message>
-        <source>A lesson opens when the one before it is passed</source>
-        <translation>Eine Lektion öffnet sich, wenn die davor bestanden ist</translation>
-    </message>
-    <message>
         <source>Lessons of the course</source>
         <translation>Lektionen des Kurses</translation>
     </message>
@@ -1723,6 +1727,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>▲ The file of this lesson is faulty: nobody can do it. %1</source>
         <translation>▲ Die Datei dieser Lektion ist fehlerhaft: Niemand kann sie machen. %1</translation>
+    </message>
+    <message>
+        <source>A lesson opens when the one before it is passed: until then practice asks first, and a test needs an instructor&apos;s reason</source>
+        <translation>Eine Lektion öffnet sich, wenn die davor bestanden ist: bis dahin fragt die Übung nach, und ein Test braucht eine Begründung der Ausbilder</translation>
     </message>
 </context>
 <context>
@@ -3049,6 +3057,57 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::OrderDialog</name>
+    <message>
+        <source>This test is not open yet</source>
+        <translation>Dieser Test ist noch nicht offen</translation>
+    </message>
+    <message>
+        <source>Another lesson comes first</source>
+        <translation>Eine andere Lektion kommt zuerst</translation>
+    </message>
+    <message>
+        <source>Its test opens then; practice is free. An instructor may open the test for this one attempt: the attempt keeps the reason, and its result tells it.</source>
+        <translation>Danach öffnet sich ihr Test; üben kann man sie schon jetzt. Ausbilder können den Test für diesen einen Versuch öffnen: Der Versuch behält die Begründung, und sein Ergebnis nennt sie.</translation>
+    </message>
+    <message>
+        <source>Practice is free and counts for no course. The lessons build on one another, so the order helps.</source>
+        <translation>Eine Übung ist frei und zählt für keinen Kurs. Die Lektionen bauen aufeinander auf, darum hilft die Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Reason of the instructor</source>
+        <translation>Begründung des Ausbilders</translation>
+    </message>
+    <message>
+        <source>Passed at another place</source>
+        <translation>Anderswo bestanden</translation>
+    </message>
+    <message>
+        <source>Assessment on a fixed day</source>
+        <translation>Prüfung an einem festen Tag</translation>
+    </message>
+    <message>
+        <source>Tried beside an instructor</source>
+        <translation>Versuch neben einem Ausbilder</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open for this attempt</source>
+        <translation>Für diesen Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Practise all the same</source>
+        <translation>Trotzdem üben</translation>
+    </message>
+    <message>
+        <source>To “%1”</source>
+        <translation>Zu „%1“</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::Pages</name>
     <message>
         <source>%1 (%2)</source>
@@ -3728,8 +3787,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1: %2 aktiv, %3 frei</translation>
     </message>
     <message>
-        <source>▲ The readings were open on the trainee&apos;s screen.</source>
-        <translation>▲ Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
+        <source>The readings were open on the trainee&apos;s screen.</source>
+        <translation>Die Anzeigen waren auf dem Bildschirm des Trainees offen.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
     </message>
 </context>
 <context>
@@ -4188,6 +4251,10 @@ Bea L., Frühjahr, links</translation>
         <source>An attempt runs: Shift+F5 stops it, and then F5 begins anew.</source>
         <translation>Ein Versuch läuft: Umschalt+F5 beendet ihn, danach beginnt F5 neu.</translation>
     </message>
+    <message>
+        <source>Opened before its turn in the course: %1.</source>
+        <translation>Im Kurs vor der Reihe geöffnet: %1.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneInput</name>
@@ -4573,6 +4640,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>Chooses the next lesson of the course, in Test: only tests count there</source>
         <translation>Wählt die nächste Lektion des Kurses, als Test: Dort zählen nur Tests</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
     </message>
 </context>
 <context>
