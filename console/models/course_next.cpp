@@ -20,7 +20,9 @@ QString step_words(const record::CourseStep& step, const record::StepStanding& s
   if (s.passed) return NextWords::tr("passed");
   if (step.rule.kind == judge::PassRule::Kind::kLcCusum)
     return NextWords::tr("%1 Test attempts counted, learning-curve test at %L2 of %L3").arg(stands.tests).arg(s.sum, 0, 'f', 1).arg(step.rule.signal, 0, 'f', 1);
+  if (s.is_earned && step.rule.later_day == 1) return NextWords::tr("only the first Test attempt of a later day is missing");
   if (s.is_earned) return NextWords::tr("only the first %1 Test attempts of a later day are missing, %2 done").arg(step.rule.later_day).arg(s.confirmed);
+  if (step.rule.in_a_row == 1) return NextWords::tr("no passed Test attempt yet");
   return NextWords::tr("%1 of %2 Test attempts in a row").arg(s.in_a_row).arg(step.rule.in_a_row);
 }
 
@@ -43,7 +45,7 @@ QHash<QString, ClosedLesson> closed_lessons(const record::Course& course, const 
     const record::CourseStep& step = course.steps[i];
     const QString id = QString::fromStdString(step.lesson_id);
     if (!open.contains(id))
-      out[id] = {NextWords::tr("Not open yet in the course %1: %2.").arg(QString::fromStdString(course.title), first), first_id};
+      out[id] = {NextWords::tr("Not open yet in the course “%1”: %2.").arg(QString::fromStdString(course.title), first), first_id};
     if (!first.isEmpty() || stands[i].rule.passed || step.is_open) continue;
     first_id = id;
     first = NextWords::tr("“%1” comes first (%2)").arg(title_of(step), step_words(step, stands[i]));

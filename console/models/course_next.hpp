@@ -15,7 +15,7 @@ namespace swage::console {
 
 /// A lesson whose turn has not come.
 struct ClosedLesson {
-  QString words;  // "Not open yet in the course Basic: “Grasp” comes first (1 of 2 Test attempts in a row)."
+  QString words;  // "Not open yet in the course “Basic”: “Grasp” comes first (1 of 2 Test attempts in a row)."
   QString first;  // id of the lesson that comes first
 };
 

@@ -34,6 +34,16 @@ double rounded(double value, const judge::Limit& limit, bool up) {
   return (up ? std::ceil(steps - 1e-9) : std::floor(steps + 1e-9)) * step / factor;
 }
 
+// "Passed when 2 Test attempts in a row meet everything that is asked, and the first of a later day does so too."
+QString streak_words(const judge::PassRule& rule) {
+  const QString row = rule.in_a_row == 1 ? CourseWords::tr("one Test attempt meets everything that is asked")
+                                         : CourseWords::tr("%1 Test attempts in a row meet everything that is asked").arg(rule.in_a_row);
+  if (rule.later_day == 0) return CourseWords::tr("Passed when %1.").arg(row);
+  const QString later = rule.later_day == 1 ? CourseWords::tr("the first of a later day does so too")
+                                            : CourseWords::tr("the first %1 of a later day do so too").arg(rule.later_day);
+  return CourseWords::tr("Passed when %1, and %2.").arg(row, later);
+}
+
 }  // namespace
 
 QString rule_words(const judge::PassRule& rule) {
@@ -43,12 +53,8 @@ QString rule_words(const judge::PassRule& rule) {
     words = CourseWords::tr("Passed when a learning-curve test of the Test attempts signals that the trainee fails rather %1 % of them than %2 %.")
                 .arg(100 * rule.adequate, 0, 'g', 3)
                 .arg(100 * rule.inadequate, 0, 'g', 3);
-  else if (rule.later_day > 0)
-    words = CourseWords::tr("Passed when %1 Test attempts in a row meet everything that is asked, and the first %2 of a later day do so too.")
-                .arg(rule.in_a_row)
-                .arg(rule.later_day);
   else
-    words = CourseWords::tr("Passed when %1 Test attempts in a row meet everything that is asked.").arg(rule.in_a_row);
+    words = streak_words(rule);
   if (rule.a_day > 0) words += QLatin1Char(' ') + CourseWords::tr("At most %1 attempts a day count.").arg(rule.a_day);
   if (rule.warm_up > 0) words += QLatin1Char(' ') + CourseWords::tr("The first %1 of a day are warm-up.").arg(rule.warm_up);
   return words;
@@ -60,7 +66,10 @@ QStringList rule_odds(const judge::PassRule& rule) {
   for (const int tenths : {5, 7, 9}) {
     const judge::RuleOdds odds = judge::simulate(rule, 0.1 * tenths, kAttempts, rule.a_day ? rule.a_day : kADay, kRuns);
     QString line = CourseWords::tr("succeeds %1 times in 10: passes in %L2 of 100 cases").arg(tenths).arg(100 * odds.passed, 0, 'f', odds.passed < 0.02 ? 1 : 0);
-    if (std::isfinite(odds.typical)) line += CourseWords::tr(", typically after %1 attempts").arg(odds.typical, 0, 'f', 0);
+    if (std::isfinite(odds.typical) && odds.typical < 1.5)
+      line += CourseWords::tr(", typically with the first attempt");
+    else if (std::isfinite(odds.typical))
+      line += CourseWords::tr(", typically after %1 attempts").arg(odds.typical, 0, 'f', 0);
     out += line;
   }
   const uint32_t a_day = rule.a_day ? rule.a_day : kADay;
@@ -81,7 +90,8 @@ QString together_words(const std::vector<judge::Limit>& limits, const std::vecto
     for (const judge::Limit& l : limits) own.emplace_back(l.metric, metric_value(*a, QString::fromStdString(l.metric)));
   }
   const judge::MetTogether met = judge::meet_together(limits, values);
-  QString words = CourseWords::tr("%1 of %2 expert attempts pass and meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
+  QString words = limits.size() == 1 ? CourseWords::tr("%1 of %2 expert attempts pass and meet the limit.").arg(met.all).arg(met.attempts)
+                                     : CourseWords::tr("%1 of %2 expert attempts pass and meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
   if (met.all < met.attempts && limits.size() > 1) {
     const auto worst = static_cast<size_t>(std::min_element(met.each.begin(), met.each.end()) - met.each.begin());
     words += QLatin1Char(' ') + CourseWords::tr("The hardest alone is %1: %2.").arg(metric_title(QString::fromStdString(limits[worst].metric))).arg(met.each[worst]);

@@ -36,6 +36,7 @@ OrderDialog::OrderDialog(const QString& why, const QString& first, bool test, QW
     reason_->setObjectName(QStringLiteral("order_reason"));
     reason_->setAccessibleName(tr("Reason of the instructor"));
     reason_->setEditable(true);
+    reason_->setCompleter(nullptr);  // a reason of one's own that begins like a given one stays as typed
     reason_->addItems({QString(), tr("Passed at another place"), tr("Assessment on a fixed day"), tr("Tried beside an instructor")});
     form->addRow(tr("Reason of the instructor"), reason_);
     column->addLayout(form);

@@ -68,7 +68,7 @@ QWidget* SetupPanel::make_who() {
   course_ = make_muted({}, card.frame);
   course_->setObjectName(QStringLiteral("course_next"));
   card.body->addWidget(course_);
-  not_open_ = make_muted({}, card.frame);
+  not_open_ = make_muted(tr("▲ Chosen lesson: not open yet"), card.frame);
   not_open_->setObjectName(QStringLiteral("course_not_open"));
   not_open_->hide();
   card.body->addWidget(not_open_);
@@ -331,7 +331,7 @@ void SetupPanel::set_course(const QString& words, int row) {
 }
 
 void SetupPanel::set_not_open(const QString& words) {
-  not_open_->setText(words.isEmpty() ? QString() : tr("▲ %1").arg(words));
+  not_open_->setToolTip(words);  // one line, so that the column still fits a screen of 800 lines
   not_open_->setVisible(!words.isEmpty());
 }
 

@@ -712,8 +712,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Als Nächstes: %1, %2.</translation>
     </message>
     <message>
-        <source>Not open yet in the course %1: %2.</source>
-        <translation>Im Kurs %1 noch nicht offen: %2.</translation>
+        <source>Not open yet in the course “%1”: %2.</source>
+        <translation>Im Kurs „%1“ noch nicht offen: %2.</translation>
     </message>
     <message>
         <source>“%1” comes first (%2)</source>

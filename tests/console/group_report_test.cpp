@@ -111,7 +111,7 @@ TEST(CourseNexts, CloseALessonUntilTheOneBeforeItIsPassed) {
   const auto closed = [&](std::vector<record::Course> courses) { return course_next(courses, own)->closed; };
   const QHash<QString, ClosedLesson> first = closed({basic});
   EXPECT_FALSE(first.contains("grasp"));
-  EXPECT_EQ(first["carry"].words, "Not open yet in the course Basic: “grasp” comes first (1 of 2 Test attempts in a row).");
+  EXPECT_EQ(first["carry"].words, "Not open yet in the course “Basic”: “grasp” comes first (1 of 2 Test attempts in a row).");
   EXPECT_EQ(first["stitch"].first, "grasp") << "what can be done now, not the lesson just before";
   EXPECT_FALSE(closed({basic}).contains("other")) << "a lesson of no course";
   record::Course free = basic;
