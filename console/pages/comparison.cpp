@@ -91,8 +91,12 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
   base::Problems problems;
   if (opener) player_ = opener(recording_, problems);
   review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr);
-  title_->setText(tr("%1, %2: %3").arg(person_text(QString::fromStdString(row.person_name)), when_text(QString::fromStdString(row.started_utc)),
-                                       review_.verdict()));
+  const QString person = person_text(QString::fromStdString(row.person_name));
+  const bool same = row.person_id == first.attempt.person_id;
+  ghost_name_ = !review_.hand.isEmpty() ? review_.hand : same ? tr("Other attempt") : person;
+  const QString who = review_.hand.isEmpty() ? person : tr("%1, %2").arg(person, review_.hand);
+  // the row stands above both pictures
+  title_->setText(tr("Right: %1, %2: %3").arg(who, when_text(QString::fromStdString(row.started_utc)), review_.verdict()));
   problem_->setVisible(!player_);
   if (player_) {
     view_->set_card(player_->card(), CameraPreset::kOrbit);

@@ -46,7 +46,9 @@ class Comparison : public QWidget {
   double later_s() const;
   /// Whether its instruments are to be drawn in the first attempt's picture, whose they are, and their present poses.
   bool ghost_wanted() const { return player_ && ghost_->isChecked(); }
-  QString person() const { return QString::fromStdString(review_.attempt.person_name); }
+  /// What tells the ghost from the first attempt: the recorded hand, or another person, or that it is the other attempt.
+  QString ghost_name() const { return ghost_name_; }
+  QString title() const { return title_->text(); }
   std::span<const swage_pose> X_WB() const { return {snapshot_->X_WB, snapshot_->n_body}; }
   void toggle_ghost() { ghost_->toggle(); }
   /// Plays towards the time that corresponds to `first_s`, by at most `most` steps; true when it is reached.
@@ -63,6 +65,7 @@ class Comparison : public QWidget {
 
   record::Recording recording_;  // outlives the player
   Review review_;
+  QString ghost_name_;
   std::unique_ptr<Player> player_;
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   QWidget* head_ = nullptr;

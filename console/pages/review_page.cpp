@@ -286,6 +286,7 @@ void ReviewPage::set_desk(SchoolDesk* desk) {
     if (!attempt_.is_open() || !isVisible()) return;
     attempt_.read_moments();
     timeline_->set_review(&attempt_.review(), &attempt_.recording());
+    if (comparing()) timeline_->set_other(&comparison()->review(), &comparison()->recording(), comparison()->later_s());
     timeline_->set_cursor(playback_.wanted_s());
     fill_side();
   });

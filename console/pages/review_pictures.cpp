@@ -127,7 +127,7 @@ QString ReviewPictures::compare(const QString& attempt_id) {
 // Shows the other attempt's instruments in this one's picture, on the shifted clock.
 void ReviewPictures::set_ghost() {
   const bool wanted = attempt_.player() && comparing() && other_->ghost_wanted();
-  for (SceneView* view : views_) view->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());
+  for (SceneView* view : views_) view->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->ghost_name() : QString());
   move_ghost();
 }
 
