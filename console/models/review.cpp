@@ -140,6 +140,16 @@ QString hand_words(const record::AttemptRow& attempt, const record::Recording& r
 
 }  // namespace
 
+Trace on_one_scale(const Trace& trace, const Trace& other) {
+  constexpr double kSeen = 0.01;  // less is within the breadth of a line
+  Trace out = trace;
+  out.low = std::min(trace.low, other.low);
+  out.high = std::max(trace.high, other.high);
+  if (out.low < 0 && out.high > 0 && out.high < -kSeen * out.low) out.high = 0;
+  if (out.low < 0 && out.high > 0 && -out.low < kSeen * out.high) out.low = 0;
+  return out;
+}
+
 QString Review::title() const {
   QStringList parts{said(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title)};
   if (!hand.isEmpty()) parts += hand;

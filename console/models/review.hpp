@@ -25,6 +25,9 @@ struct Trace {
   bool flat = false;         // constant over the attempt
 };
 
+/// The trace with a range that holds both; an end that is less than a hundredth of the other is zero, as its number would say "3E-05".
+Trace on_one_scale(const Trace& trace, const Trace& other);
+
 struct Moment {
   double time_s = 0;
   QString what, means;

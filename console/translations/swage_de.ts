@@ -719,6 +719,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>“%1” comes first (%2)</source>
         <translation>zuerst kommt „%1“ (%2)</translation>
     </message>
+    <message>
+        <source>only the first Test attempt of a later day is missing</source>
+        <translation>nur der erste Testversuch eines späteren Tages fehlt</translation>
+    </message>
+    <message>
+        <source>no passed Test attempt yet</source>
+        <translation>noch kein bestandener Testversuch</translation>
+    </message>
 </context>
 <context>
     <name>course_words</name>
@@ -729,14 +737,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Passed when a learning-curve test of the Test attempts signals that the trainee fails rather %1 % of them than %2 %.</source>
         <translation>Bestanden, wenn ein Lernkurventest der Testversuche anzeigt, dass eher %1 % von ihnen misslingen als %2 %.</translation>
-    </message>
-    <message>
-        <source>Passed when %1 Test attempts in a row meet everything that is asked, and the first %2 of a later day do so too.</source>
-        <translation>Bestanden, wenn %1 Testversuche in Folge alles Geforderte erfüllen und die ersten %2 eines späteren Tages ebenso.</translation>
-    </message>
-    <message>
-        <source>Passed when %1 Test attempts in a row meet everything that is asked.</source>
-        <translation>Bestanden, wenn %1 Testversuche in Folge alles Geforderte erfüllen.</translation>
     </message>
     <message>
         <source>At most %1 attempts a day count.</source>
@@ -773,6 +773,38 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>; the rule asks for a later day, so nobody passes before attempt %1</source>
         <translation>; die Regel verlangt einen späteren Tag, daher besteht niemand vor Versuch %1</translation>
+    </message>
+    <message>
+        <source>one Test attempt meets everything that is asked</source>
+        <translation>ein Testversuch alles Geforderte erfüllt</translation>
+    </message>
+    <message>
+        <source>%1 Test attempts in a row meet everything that is asked</source>
+        <translation>%1 Testversuche in Folge alles Geforderte erfüllen</translation>
+    </message>
+    <message>
+        <source>Passed when %1.</source>
+        <translation>Bestanden, wenn %1.</translation>
+    </message>
+    <message>
+        <source>the first of a later day does so too</source>
+        <translation>der erste eines späteren Tages ebenso</translation>
+    </message>
+    <message>
+        <source>the first %1 of a later day do so too</source>
+        <translation>die ersten %1 eines späteren Tages ebenso</translation>
+    </message>
+    <message>
+        <source>Passed when %1, and %2.</source>
+        <translation>Bestanden, wenn %1 und %2.</translation>
+    </message>
+    <message>
+        <source>, typically with the first attempt</source>
+        <translation>, typischerweise mit dem ersten Versuch</translation>
+    </message>
+    <message>
+        <source>%1 of %2 expert attempts pass and meet the limit.</source>
+        <translation>%1 von %2 Expertenversuchen bestehen und halten die Grenze ein.</translation>
     </message>
 </context>
 <context>
@@ -1586,10 +1618,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Der andere Versuch, nachgespielt</translation>
     </message>
     <message>
-        <source>%1, %2: %3</source>
-        <translation>%1, %2: %3</translation>
-    </message>
-    <message>
         <source>The picture cannot be replayed: %1</source>
         <translation>Das Bild kann nicht nachgespielt werden: %1</translation>
     </message>
@@ -1608,6 +1636,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Show these instruments in the other picture, too, seen through (G)</source>
         <translation>Diese Instrumente auch im anderen Bild zeigen, durchscheinend (G)</translation>
+    </message>
+    <message>
+        <source>Other attempt</source>
+        <translation>Anderer Versuch</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Right: %1, %2: %3</source>
+        <translation>Rechts: %1, %2: %3</translation>
     </message>
 </context>
 <context>
@@ -4642,8 +4682,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Wählt die nächste Lektion des Kurses, als Test: Dort zählen nur Tests</translation>
     </message>
     <message>
-        <source>▲ %1</source>
-        <translation>▲ %1</translation>
+        <source>▲ Chosen lesson: not open yet</source>
+        <translation>▲ Gewählte Lektion: noch nicht offen</translation>
     </message>
 </context>
 <context>

@@ -69,16 +69,8 @@ const Trace* Timeline::in_other(const Trace& trace) const {
 
 // the trace with an axis that covers both attempts
 Trace Timeline::common(const Trace& trace) const {
-  Trace out = trace;
   const Trace* other = in_other(trace);
-  if (!other) return out;
-  out.low = std::min(out.low, other->low);
-  out.high = std::max(out.high, other->high);
-  // an end that is less than a line's breadth from zero is zero: its number would say 3E-05
-  constexpr double kSeen = 0.01;  // of the other end
-  if (out.low < 0 && out.high > 0 && out.high < -kSeen * out.low) out.high = 0;
-  if (out.low < 0 && out.high > 0 && -out.low < kSeen * out.high) out.low = 0;
-  return out;
+  return other ? on_one_scale(trace, *other) : trace;
 }
 
 void Timeline::set_shown(const QVector<int>& traces) {

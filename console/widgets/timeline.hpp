@@ -39,6 +39,7 @@ class Timeline : public QWidget {
 
   QSize sizeHint() const override { return {800, 220}; }  // fits a window of 770 lines with a line of text above
   QSize minimumSizeHint() const override { return {300, 160}; }
+  bool has_other() const { return other_ != nullptr; }
   /// Moves the cursor to the next event, or with -1 to the previous one.
   void go_to_moment(int direction);
 

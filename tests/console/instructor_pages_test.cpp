@@ -118,6 +118,26 @@ TEST_F(InstructorPages, LimitsFromExpertsSayWhyThereAreNone) {
   EXPECT_DOUBLE_EQ(window->courses_page()->course().steps[0].limits[0].most, 0.91173);
 }
 
+// A metric stands ready for a limit, and the words about unknown ones are for a lesson that is not installed.
+TEST_F(InstructorPages, AMetricStandsReadyForALimit) {
+  open();
+  console::CourseEditing editing(window->desk(), nullptr, [](const QString& lesson) {
+    return lesson == QLatin1String("known") ? QVector<console::LessonMetric>{{"time.task", "s", SWAGE_BETTER_LOWER}, {"force.peak", "N", SWAGE_BETTER_LOWER}}
+                                            : QVector<console::LessonMetric>();
+  });
+  console::LimitsPanel panel(&editing, nullptr);
+  const auto* metric = panel.findChild<QComboBox*>(QStringLiteral("limit_metric"));
+  for (const char* lesson : {"known", "absent", "known"}) {
+    record::Course course;
+    course.steps.resize(1);
+    course.steps[0].lesson_id = lesson;
+    editing.set_course(course);
+    editing.set_step(0);
+    panel.refresh();
+    EXPECT_EQ(metric->currentData().toString(), course.steps[0].lesson_id == "known" ? "time.task" : "") << lesson;
+  }
+}
+
 // A passed test by a person's own hand.
 void keep_test(const std::string& store, const char* person, const char* lesson) {
   record::AttemptInfo info;

@@ -36,6 +36,29 @@ TEST_F(PeoplePages, ProgressWithoutAStoreSaysSo) {
   EXPECT_TRUE(child<QLabel>("empty")->text().contains("without a store"));
 }
 
+// The text of a row does not jump aside when the row is chosen.
+TEST_F(PeoplePages, AChosenRowKeepsThePlaceOfItsText) {
+  attempts = sample_attempts();
+  open();
+  click("page_people");
+  auto* table = child<QTableView>("people");
+  ASSERT_GE(table->model()->rowCount(), 2);
+  const auto text_begins = [&](int row) {
+    const QRect cell = table->visualRect(table->model()->index(row, 0));
+    const QImage picture = table->viewport()->grab(cell).toImage();
+    const QRgb ground = picture.pixel(1, 1);
+    for (int x = 1; x < picture.width(); ++x)
+      for (int y = 2; y < picture.height() - 2; ++y)
+        if (qAbs(qGray(picture.pixel(x, y)) - qGray(ground)) > 60) return x;
+    return -1;
+  };
+  table->selectRow(1);
+  const int plain = text_begins(0);
+  table->selectRow(0);
+  EXPECT_GT(plain, 0);
+  EXPECT_EQ(text_begins(0), plain);
+}
+
 TEST_F(PeoplePages, ProgressShowsAPersonsAttempts) {
   attempts = sample_attempts();
   open();

@@ -211,5 +211,20 @@ TEST_F(RatingPages, PlayingAfterAJumpBeginsAtTheCursor) {
   EXPECT_TRUE(review()->playing());
 }
 
+// Two attempts side by side stay so while the first is rated, and the row above the pictures says whose is which.
+TEST_F(RatingPages, ARatingLeavesTheComparison) {
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  ASSERT_TRUE(review()->timeline()->has_other());
+  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P., ")) << child<QLabel>("other_title")->text().toStdString();
+  EXPECT_EQ(review()->comparison()->ghost_name(), "Other attempt") << "the same person";
+  const std::string item = review()->review().scales[0].items[0].id.toStdString();
+  ASSERT_TRUE(window->desk()->rate(first, item, 3));
+  EXPECT_EQ(kept(first).size(), 1u);
+  EXPECT_TRUE(review()->comparing());
+  EXPECT_TRUE(review()->timeline()->has_other());
+}
+
 }  // namespace
 }  // namespace swage::test

@@ -33,6 +33,19 @@ TEST(ReviewModel, TracesHaveRoundAxesInReadableUnitsAndTheImportantOnesComeFirst
   EXPECT_DOUBLE_EQ(review.length_s, 2.0);
 }
 
+TEST(ReviewModel, TwoTracesShareAScaleWithoutNumbersOfNoMeaning) {
+  Trace a, b;
+  a.low = -4, a.high = 0;
+  b.low = 0, b.high = 3e-5;
+  EXPECT_EQ(on_one_scale(a, b).low, -4);
+  EXPECT_EQ(on_one_scale(a, b).high, 0);
+  EXPECT_EQ(on_one_scale(b, a).high, 0) << "either way round";
+  b.high = 2;
+  EXPECT_EQ(on_one_scale(a, b).high, 2);
+  a.low = -1e-5, a.high = 1;
+  EXPECT_EQ(on_one_scale(a, b).low, 0);
+}
+
 TEST(ReviewModel, MomentsAreInOrderWithMeaningAndKnowWhoSaidThem) {
   const Review review = make_review(test::fake_attempt(), test::fake_recording(2000), test::fake_events());
   ASSERT_EQ(review.moments.size(), 3);
