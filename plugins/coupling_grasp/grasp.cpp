@@ -48,6 +48,8 @@ void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
   balance_ = builder.signal("grasp.balance", "1",
                             "Difference of the jaws over the harder one: 0 even, 1 one-sided.");
   slip_ = builder.signal("grasp.slip", "m/s", "Speed at which the thing slides in the jaws.");
+  roll_moment_ = builder.signal("grasp.roll_moment", "N*m",
+                                "Moment about the jaw axis by which jaws that close obliquely on a wire would turn; right-handed.");
   touched_ = builder.event("grasp.touched",
                            "A jaw has touched it, after at least 0.15 s without; value: the force.");
   taken_ =
@@ -66,7 +68,7 @@ void Grasp::bind(const Peer& a, const Peer& b) {
 }
 
 bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const {
-  const Vec3 closing = vec(jaws.closing_W);
+  const Vec3 closing = vec(jaws.closing_W), across = closing.cross(vec(jaws.axis_W)), tip_W = vec(jaws.tip_W);
   for (const swage_contact& contact : step.contacts()) {
     // the force of the object on a jaw pushes the left jaw to the left, the right one to the right
     const Vec3 f = vec(contact.f_a_W);
@@ -77,6 +79,7 @@ bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pi
       pinch.right -= f.dot(closing);
     else
       continue;
+    pinch.roll_moment += (vec(contact.p_W) - tip_W).dot(across) * f.dot(closing);
     if (!(normal > 0)) continue;
 
     const auto place = thing_.locate(step.b(), contact.p_W);
@@ -219,6 +222,7 @@ void Grasp::finish(const CouplingStep& step) {
   step.signal(tilt_plane_, state.tilt_plane);
   step.signal(balance_, pinch.uneven);
   step.signal(slip_, pinch.slip);
+  step.signal(roll_moment_, pinch.roll_moment);
 }
 
 void Grasp::reset(const CouplingStep& step) { step.state<GraspState>() = {}; }

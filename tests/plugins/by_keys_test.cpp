@@ -84,8 +84,10 @@ const std::vector<Press> kThrough = {{key('q'), 0.1}, {key('s'), 0.05}, {key('a'
                                      {mouse::kLeft, 2.0}, {key('x'), 1.8}, {key('d'), 0.15}, {key('q'), 0.46}, {key('s'), 0.2},
                                      {key('a'), 0.12}, {key('t'), 1.6}, {key('b'), 0.8}};
 /// Over the flap to the other side. `low`: how long the jaws go down beside the needle.
-std::vector<Press> beyond(double low) {
-  return {{key('e'), 0.7}, {key('w'), 0.6}, {key('a'), 0.65}, {key('s'), 0.3}, {key('x'), 0.95}, {key('d'), 0.12}, {key('s'), low}, {key('q'), 0.66}, {mouse::kSpace, 0.8}};
+/// `off_deg`: how far from across the wire they stand then.
+std::vector<Press> beyond(double low, double off_deg = 0) {
+  const double roll_s = 0.95 + off_deg / 45;  // X turns by 45 deg/s
+  return {{key('e'), 0.7}, {key('w'), 0.6}, {key('a'), 0.65}, {key('s'), 0.3}, {key('x'), roll_s}, {key('d'), 0.12}, {key('s'), low}, {key('q'), 0.66}, {mouse::kSpace, 0.8}};
 }
 
 TEST(ByKeys, TheStitchOf118IsPassed) {
@@ -111,6 +113,20 @@ TEST(ByKeys, JawsBesideTheNeedleDoNotTearTheWound) {
     EXPECT_EQ(run.phase(), "pull") << low;
     EXPECT_LT(run.signal("pierce", "pierce.wound"), most) << low;
   }
+}
+
+// BENCH
+TEST(ByKeys, Bench) {
+  for (const double off : {0.0, 10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 40.0})
+    for (const char* give : {"hand.give_turn=0 rad/s", "hand.give_turn=3 rad/s", "hand.give_turn=6 rad/s", "hand.give_turn=12 rad/s"}) {
+      LessonRun run(kLesson, "mouse", {give});
+      ASSERT_TRUE(run.ready()) << run.problems();
+      Keys hold(run);
+      hold(kThrough);
+      hold(beyond(0.2, off));
+      printf("%5.0f deg %s: wound %.0f %% phase %s force %.3f tilt %.1f held %.0f exit %.0f%%\n", off, give, 100 * run.signal("pierce", "pierce.wound"), run.phase().c_str(), run.signal("grasp", "grasp.force"), run.signal("grasp","grasp.tilt_plane")*57.3, run.signal("grasp","grasp.held"), 100*run.signal("pierce","pierce.exit_wound"));
+      fflush(stdout);
+    }
 }
 
 }  // namespace
