@@ -43,7 +43,7 @@ struct Speeds {
   double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves smoothly
   double rest_force = 0.6;  // N, grip force at which closing stops until the key is pressed again; 0: it never stops
   double give = 2e-3;       // m/s, at which the hand gives way while one jaw pushes: quicker than a jaw closes; 0: it never does
-  double give_turn = 6;     // rad/s, at most, at which the hand turns to the wire on which the jaws close obliquely; 0: it never does
+  double give_turn = 4 * std::numbers::pi;  // rad/s, at most, at which the hand rolls with the wire on which the jaws close obliquely; 0: it never does
   bool latch = true;        // the jaws keep their closure when the key is released; otherwise they open again
 };
 
@@ -51,7 +51,7 @@ struct Speeds {
 struct Felt {
   double grip = 0;  // N, the grip force
   int pushes = 0;   // which jaw presses more than the other: 1 the left, -1 the right, 0 neither
-  double lever = 0;  // m, of the jaws' forces about the jaw axis: the moment over the sum of the forces; 0 where they press across a wire
+  double lever = 0;  // m, half of the way along the jaws' width between the places where they press: the couple over the sum of the forces
 };
 
 /// Commanded pose of the hand, and its smoothed pose.

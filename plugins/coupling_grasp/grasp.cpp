@@ -29,6 +29,12 @@ double Pinch::imbalance() const {
   return harder > 0 ? std::abs(left - right) / harder : 0;
 }
 
+// Of unequal jaws the weaker one's force counts: the rest is no couple, and a hand gives way to it by moving aside.
+double Pinch::couple() const {
+  const double weaker = std::min(left, right);
+  return weaker > 0 ? weaker * (roll_left / left + roll_right / right) : 0;
+}
+
 void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
   params_ = params;
   builder.state<GraspState>();
@@ -49,7 +55,7 @@ void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
                             "Difference of the jaws over the harder one: 0 even, 1 one-sided.");
   slip_ = builder.signal("grasp.slip", "m/s", "Speed at which the thing slides in the jaws.");
   roll_moment_ = builder.signal("grasp.roll_moment", "N*m",
-                                "Moment about the jaw axis by which jaws that close obliquely on a wire would turn; right-handed.");
+                                "Couple about the jaw axis of both jaws that press obliquely on a wire; right-handed: it would turn them along it.");
   touched_ = builder.event("grasp.touched",
                            "A jaw has touched it, after at least 0.15 s without; value: the force.");
   taken_ =
@@ -73,13 +79,13 @@ bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pi
     // the force of the object on a jaw pushes the left jaw to the left, the right one to the right
     const Vec3 f = vec(contact.f_a_W);
     const double normal = f.dot(vec(contact.n_W));
+    const double along = f.dot(closing), roll = (vec(contact.p_W) - tip_W).dot(across) * along;
     if (contact.body_a == jaws.left_body)
-      pinch.left += f.dot(closing);
+      pinch.left += along, pinch.roll_left += roll;
     else if (contact.body_a == jaws.right_body)
-      pinch.right -= f.dot(closing);
+      pinch.right -= along, pinch.roll_right += roll;
     else
       continue;
-    pinch.roll_moment += (vec(contact.p_W) - tip_W).dot(across) * f.dot(closing);
     if (!(normal > 0)) continue;
 
     const auto place = thing_.locate(step.b(), contact.p_W);
@@ -222,7 +228,7 @@ void Grasp::finish(const CouplingStep& step) {
   step.signal(tilt_plane_, state.tilt_plane);
   step.signal(balance_, pinch.uneven);
   step.signal(slip_, pinch.slip);
-  step.signal(roll_moment_, pinch.roll_moment);
+  step.signal(roll_moment_, pinch.couple());
 }
 
 void Grasp::reset(const CouplingStep& step) { step.state<GraspState>() = {}; }

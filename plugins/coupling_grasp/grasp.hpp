@@ -42,7 +42,7 @@ struct GraspState {
 /// Sums and means of the contacts of one step.
 struct Pinch {
   double left = 0, right = 0;  // N, force of each jaw along the closing direction
-  double roll_moment = 0;      // N m, of the forces along the closing direction about the jaw axis
+  double roll_left = 0, roll_right = 0;  // N m, of each jaw's forces along the closing direction about the jaw axis
   double weight = 0;           // N, sum of the normal forces
   double s = 0;                // coordinate along the object, weighted by normal force
   double slip = 0;             // m/s, likewise
@@ -52,6 +52,7 @@ struct Pinch {
   double uneven = 1;  // imbalance of the forces, or of the penetrations: 0 for an even pinch, 1 for one jaw alone
 
   double force() const { return 0.5 * (left + right); }
+  double couple() const;     // N m, with which the two jaws turn each other about their axis; 0 while one of them does not press
   double imbalance() const;  // |left - right| over the harder one
 };
 

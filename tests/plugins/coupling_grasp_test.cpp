@@ -193,8 +193,10 @@ TEST_F(Grasp, TellsTheMomentOfObliqueJawsAboutTheirAxis) {
   EXPECT_NEAR(signal("grasp.roll_moment"), -2 * 0.6 * 0.2e-3, 1e-12);
   press(0.6, 0.6, 1, 0.2e-3, 0.2e-3);
   EXPECT_NEAR(signal("grasp.roll_moment"), 0, 1e-12) << "both beside the axis: nothing turns";
-  press(0, 0);
-  EXPECT_EQ(signal("grasp.roll_moment"), 0);
+  press(0.6, 0, 1, 0.2e-3);
+  EXPECT_EQ(signal("grasp.roll_moment"), 0) << "one jaw pushes, and turns nothing";
+  press(0.6, 0.1, 1, 0.2e-3, -0.2e-3);
+  EXPECT_NEAR(signal("grasp.roll_moment"), 2 * 0.1 * 0.2e-3, 1e-12) << "the weaker jaw counts";
 }
 
 TEST_F(Grasp, TheToolBodyIsNoJaw) {
