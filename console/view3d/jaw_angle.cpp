@@ -13,26 +13,30 @@ namespace {
 constexpr float kNear_mm = 1.5F;  // from the tips to the wire: two thirds of a needle's radius. Farther away the angle is still going to change
 constexpr float kOpen_mm = 0.3F;  // between the tips: three wires of 0.1 mm. Jaws that hold a needle are closer
 
-/// Middle of the tips of each jaw, by its body.
-std::vector<QVector3D> jaw_tips(std::span<const Spot> tips, std::span<const swage_pose> X_WB) {
-  struct Jaw {
-    uint32_t body;
-    QVector3D sum;
-    float n;
-  };
-  std::vector<Jaw> jaws;
-  for (const Spot& spot : tips) {
-    if (spot.body >= X_WB.size()) continue;
-    const swage_pose& X = X_WB[spot.body];
-    const QVector3D p = to_mm(X.p) + to_qt(X.q).rotatedVector(spot.p_B);
-    const auto same = std::find_if(jaws.begin(), jaws.end(), [&](const Jaw& j) { return j.body == spot.body; });
-    if (same == jaws.end())
-      jaws.push_back({spot.body, p, 1});
-    else
-      same->sum += p, same->n += 1;
-  }
+constexpr float kTip_mm = 0.6F;   // from a jaw's outermost place to the corners of its tip: twice its thickness at the base
+
+QVector3D placed(const swage_pose& X, const QVector3D& p_B) { return to_mm(X.p) + to_qt(X.q).rotatedVector(p_B); }
+
+/// Corners of a jaw about its tip, mm, world; the tip itself where it has none there.
+std::vector<QVector3D> corners(const SceneParts& parts, const Spot& tip, const swage_pose& X) {
   std::vector<QVector3D> out;
-  for (const Jaw& jaw : jaws) out.push_back(jaw.sum / jaw.n);
+  for (const ScenePart& part : parts.part) {
+    if (part.role != Role::kTool || part.body != tip.body || part.in_world()) continue;
+    for (const Vertex& v : part.mesh.vertex) {
+      const QVector3D p_B(v.p[0], v.p[1], v.p[2]);
+      if ((p_B - tip.p_B).length() < kTip_mm) out.push_back(placed(X, p_B));
+    }
+  }
+  if (out.empty()) out.push_back(placed(X, tip.p_B));
+  return out;
+}
+
+/// From one jaw's face to the other's, at their tips: between the two corners that are closest, as the outermost places may be on the backs.
+QVector3D between(const std::vector<QVector3D>& one, const std::vector<QVector3D>& other) {
+  QVector3D out(1e9F, 0, 0);
+  for (const QVector3D& a : one)
+    for (const QVector3D& b : other)
+      if ((b - a).lengthSquared() < out.lengthSquared()) out = b - a;
   return out;
 }
 
@@ -53,11 +57,13 @@ std::optional<float> turn_about(const QVector3D& c, const QVector3D& z, const QV
 
 std::optional<JawAngle> jaw_angle(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB,
                                   std::span<const Spot> tips) {
-  const std::vector<QVector3D> jaws = jaw_tips(tips, X_WB);
-  if (jaws.size() != 2 || (jaws[1] - jaws[0]).length() < kOpen_mm) return {};
+  if (tips.size() != 2 || tips[0].body == tips[1].body || tips[0].body >= X_WB.size() || tips[1].body >= X_WB.size()) return {};
+  const swage_pose &X0 = X_WB[tips[0].body], &X1 = X_WB[tips[1].body];
+  const QVector3D apart = between(corners(parts, tips[0], X0), corners(parts, tips[1], X1));
+  if (apart.length() < kOpen_mm) return {};
   JawAngle out;
-  out.at = 0.5F * (jaws[0] + jaws[1]);
-  out.closing = (jaws[1] - jaws[0]).normalized();
+  out.at = 0.5F * (placed(X0, tips[0].p_B) + placed(X1, tips[1].p_B));
+  out.closing = apart.normalized();
   float least = kNear_mm;
   for (const std::vector<QVector3D>& line : wire_lines(card, parts, X_WB)) {
     for (size_t i = 0; i < line.size() && line.size() > 1; ++i) {

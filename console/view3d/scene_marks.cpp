@@ -94,8 +94,8 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     overlay.target(at, radius, style);
     const double clear = std::max(radius, kLeastMark_px) + kAboutMark_px;
     overlay.keep_clear({at.x() - clear, at.y() - clear, 2 * clear, 2 * clear});
-    // where to bring it is said once it has been taken: before that the word lies over what is to be taken
-    const bool later = meaning == "target.point" && scene_.taken() == false;
+    // where to bring it, and how much thread is to be left, is said while it is held: before that the word lies over what is to be taken
+    const bool later = (meaning == "target.point" || meaning == "tail.point") && scene_.taken() == false;
     if (!later) words.push_back({at, radius, style});
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }

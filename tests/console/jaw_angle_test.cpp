@@ -70,6 +70,27 @@ TEST(JawAngle, IsToldNearAWireWhileTheJawsAreOpen) {
   EXPECT_FALSE(one.angle()) << "a tool of one tip";
 }
 
+// The outermost place of a jaw may be on its back: jaws that hold a wire are closed, however thick they are.
+TEST(JawAngle, IsNotToldOfJawsThatHoldTheWire) {
+  const auto held = [](float open_mm) {
+    Jaws jaws(closing(0), {0, 0, 3}, open_mm);
+    for (const float side : {-1.F, 1.F}) {  // faces 0.25 mm inside of the backs
+      ScenePart jaw;
+      jaw.role = Role::kTool;
+      jaw.body = side < 0 ? 1 : 2;
+      for (const float depth : {0.F, 0.25F}) {
+        Vertex v{};
+        v.p[2] = -side * depth;
+        jaw.mesh.vertex.push_back(v);
+      }
+      jaws.parts.part.push_back(jaw);
+    }
+    return !jaws.angle();
+  };
+  EXPECT_TRUE(held(0.5F + 0.12F));
+  EXPECT_FALSE(held(0.5F + 0.4F));
+}
+
 TEST(JawAngle, TheKeyTurnsTheJawsAcrossTheWire) {
   // seen from the front they roll: clockwise on the screen takes the upper jaw to the right
   const Jaws right(closing(20 * kDegree)), left(closing(-20 * kDegree));
