@@ -116,7 +116,7 @@ Card HelpDialog::instrument_keys(QWidget* parent) {
 
 Card HelpDialog::picture_keys(QWidget* parent) {
   return make_table(tr("Picture"),
-                    {{tr("Orbit Side Top Near"), tr("Go to a view")},
+                    {{tr("Orbit Side Top Near,  F11"), tr("Go to a view; to the next one")},
                      {tr("Drag,  arrows"), tr("Turn the camera")},
                      {tr("Right drag, Shift+drag"), tr("Shift the camera")},
                      {tr("Wheel,  + −"), tr("Nearer, further")},

@@ -154,6 +154,15 @@ MetricTarget metric_target(const std::string& lesson_path, const std::string& me
   return {};
 }
 
+std::map<std::string, MetricTarget> metric_targets(const std::string& lesson_path, const host::Catalogue& catalogue) {
+  const Judged lesson = read_judged(lesson_path, catalogue);
+  std::map<std::string, MetricTarget> out;
+  if (!lesson.plugin) return out;
+  for (const host::MetricInfo& m : lesson.plugin->metrics)
+    if (const MetricTarget target{limit(lesson, m.least, 0), limit(lesson, m.most, 1)}; target != MetricTarget()) out[m.id] = target;
+  return out;
+}
+
 std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, const host::Catalogue& catalogue) {
   const Judged lesson = read_judged(lesson_path, catalogue);
   return lesson.plugin ? lesson.plugin->metrics : std::vector<host::MetricInfo>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStringList>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -36,5 +37,8 @@ std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, con
 /// The lesson's target for a metric, SI: an upper limit for peak force, time, drops; an interval for the mean force.
 MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
                            const host::Catalogue& catalogue);
+
+/// The same of all its metrics, by their ids; those without a target are left out.
+std::map<std::string, MetricTarget> metric_targets(const std::string& lesson_path, const host::Catalogue& catalogue);
 
 }  // namespace swage::console

@@ -28,6 +28,7 @@ AttemptPresenter::AttemptPresenter(const Parts& parts, QObject* parent)
   connect(control_, &RunControl::happened, this, &AttemptPresenter::hear);
   connect(control_, &RunControl::marked, this,
           [this](double t) { parts_.events->note(std::max(0.0, t - kMarked_s), tr("Mark")); });
+  connect(parts_.bar, &ViewBar::next_view_wanted, this, &AttemptPresenter::look_next);
   connect(&guide_, &GuideControl::noted, parts_.events, &EventLog::note);
 }
 
@@ -88,6 +89,12 @@ void AttemptPresenter::set_themes(const UiTheme& ui, const CueTheme& cues) {
 void AttemptPresenter::look(CameraPreset preset) {
   preset_ = preset;
   for (SceneView* view : views_) view->look(preset);
+}
+
+void AttemptPresenter::look_next() {
+  constexpr CameraPreset kOrder[] = {CameraPreset::kOrbit, CameraPreset::kSide, CameraPreset::kTop, CameraPreset::kNear};
+  const auto* now = std::find(std::begin(kOrder), std::end(kOrder), preset_);
+  look(kOrder[(now - std::begin(kOrder) + 1) % std::size(kOrder)]);
 }
 
 void AttemptPresenter::set_scene(const Panels& p) {

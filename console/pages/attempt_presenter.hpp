@@ -55,6 +55,8 @@ class AttemptPresenter : public QObject {
   const CueTheme& cue_theme() const { return cue_theme_; }
   /// Sets the camera preset of all present and future scenes.
   void look(CameraPreset preset);
+  /// Goes on from view to view, in the order of their buttons.
+  void look_next();
   /// Sets the preset of the next scene; the present pictures are not changed.
   void set_next_look(CameraPreset preset) { preset_ = preset; }
 

@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "console/models/metric_titles.hpp"
 #include "console/models/ratings.hpp"
@@ -173,24 +174,30 @@ void ResultPanel::add_line(QGridLayout* to, const QString& name, const QString& 
 // Time costs points by the active time, not by the clock: both are told beside each other.
 QString ResultPanel::points_title(const session::Result& r, const std::string& id) const {
   const QString title = metric_title(QString::fromStdString(id));
+  const double free_s = most("time.task");  // active time that costs no points
   const auto active = std::find_if(r.metrics.begin(), r.metrics.end(), [](const session::Result::Metric& m) { return m.id == "time.task"; });
-  if (id != "points.time" || free_time_s_ <= 0 || active == r.metrics.end()) return title;
+  if (id != "points.time" || !std::isfinite(free_s) || active == r.metrics.end()) return title;
   const QString unit = QStringLiteral("s");
-  return tr("%1: %2 active, %3 free").arg(title, quantity_text(active->value, unit), quantity_text(free_time_s_, unit));
+  return tr("%1: %2 active, %3 free").arg(title, quantity_text(active->value, unit), quantity_text(free_s, unit));
 }
 
-// Those with a rank first and in its order, what cost points apart, the rest on demand. Where no points are told, as of an attempt that was
-// stopped, the faults that were counted stand with the first.
+double ResultPanel::most(const std::string& metric) const {
+  const auto target = targets_.find(metric);
+  return target == targets_.end() ? std::numeric_limits<double>::infinity() : target->second.high.value_or(std::numeric_limits<double>::infinity());
+}
+
+// Those with a rank first and in its order, then what exceeds the lesson's limit, what cost points apart, the rest on demand. Where no
+// points are told, as of an attempt that was stopped, the faults that were counted stand with the first.
 void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCard& card) {
   std::vector<std::pair<int, size_t>> first;
-  std::vector<size_t> faults;
+  std::vector<size_t> faults, beyond;
   bool more = false, points = false;
   const auto card_of = [&](size_t i) { return i < card.metrics.size() ? card.metrics[i] : snapshot::CardMetric{}; };
   const auto add = [&](QGridLayout* to, size_t i) {
     const session::Result::Metric& m = r.metrics[i];
-    const QString id = QString::fromStdString(m.id);
-    add_line(to, metric_title(id), quantity_text(m.value, shown_unit(card_of(i).show, QString::fromStdString(m.unit))),
-             said(m.doc));
+    const QString unit = shown_unit(card_of(i).show, QString::fromStdString(m.unit)), value = quantity_text(m.value, unit);
+    const bool over = std::find(beyond.begin(), beyond.end(), i) != beyond.end();
+    add_line(to, metric_title(QString::fromStdString(m.id)), over ? tr("▲ %1, over %2").arg(value, quantity_text(most(m.id), unit)) : value, said(m.doc));
   };
   for (size_t i = 0; i < r.metrics.size(); ++i) {
     const session::Result::Metric& m = r.metrics[i];
@@ -203,6 +210,8 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
                said(m.doc));
     } else if (own.rank > 0) {
       first.emplace_back(own.rank, i);
+    } else if (m.value > most(m.id)) {
+      beyond.push_back(i);
     } else if (r.outcome != judge::Outcome::kPassed && own.show == SWAGE_SHOW_COUNT && own.better == SWAGE_BETTER_LOWER && m.value > 0) {
       faults.push_back(i);
     } else {
@@ -212,6 +221,7 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
   }
   std::sort(first.begin(), first.end());
   for (const auto& [rank, i] : first) add(metrics_, i);
+  for (const size_t i : beyond) add(metrics_, i);
   for (const size_t i : faults) add(metrics_, i);
   points_heading_->setVisible(points);
   // a lesson that ranks nothing shows everything

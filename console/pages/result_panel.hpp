@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
+#include <map>
+#include <string>
 
 #include "console/cues/ui_theme.hpp"
 #include "console/models/lesson_facts.hpp"
@@ -26,8 +28,8 @@ class ResultPanel : public QWidget {
   void add_remark(const QString& words);
   /// The end of a demonstration: nothing was judged.
   void show_seen(const session::Result& result);
-  /// Active time that costs no points, s; 0 where the lesson says none. For the next result.
-  void set_free_time(double time_s) { free_time_s_ = time_s; }
+  /// The lesson's targets by the ids of its metrics, SI, for the next result: what exceeds its upper limit is shown among the first numbers.
+  void set_targets(const std::map<std::string, MetricTarget>& targets) { targets_ = targets; }
   void set_can_go_on(bool next) { next_->setEnabled(next); }
   /// How far the person is with this lesson in a course; "" without one.
   void set_course(const QString& words);
@@ -50,6 +52,8 @@ class ResultPanel : public QWidget {
   void add_criteria(const Card& card);
   void clear();
   void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
+  /// Upper limit of a metric; infinite where the lesson says none.
+  double most(const std::string& metric) const;
   void add_metrics(const session::Result& result, const snapshot::SceneCard& card);
   void add_ratings(const session::Result& result);
   void show_notes(const session::Result& result);
@@ -58,7 +62,7 @@ class ResultPanel : public QWidget {
   UiTheme theme_;
   judge::Outcome state_ = judge::Outcome::kRunning;
   QString attempt_;
-  double free_time_s_ = 0;
+  std::map<std::string, MetricTarget> targets_;
   QString points_title(const session::Result& result, const std::string& id) const;
   QLabel *outcome_, *reason_, *kept_, *course_, *problems_, *points_heading_;
   QGridLayout *metrics_, *points_, *more_;

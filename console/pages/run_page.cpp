@@ -357,7 +357,7 @@ void RunPage::update_cues() {
 
 void RunPage::show_finished() {
   const session::Result& r = control_->result();
-  result_->set_free_time(metric_target(shown_lesson_.toStdString(), "time.task", catalogue()).high.value_or(0));
+  result_->set_targets(metric_targets(shown_lesson_.toStdString(), catalogue()));
   if (asked_.show)
     result_->show_seen(r);
   else

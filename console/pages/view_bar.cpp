@@ -2,6 +2,7 @@
 #include "console/pages/view_bar.hpp"
 
 #include <QHBoxLayout>
+#include <QShortcut>
 #include <algorithm>
 
 #include "console/widgets/parts.hpp"
@@ -46,11 +47,13 @@ void ViewBar::add_presets() {
                  {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
   for (const auto& p : presets) {
     auto* button = make_button(p.text, {}, p.name, this);
-    button->setToolTip(tr("%1 view").arg(p.text));
+    button->setToolTip(tr("%1 view (F11: the next view)").arg(p.text));
     connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { Q_EMIT view_chosen(preset); });
     row_->addWidget(button);
     folding_ += button;
   }
+  // of this window alone: in the trainee's F11 fills the screen
+  connect(new QShortcut(QKeySequence(Qt::Key_F11), this), &QShortcut::activated, this, &ViewBar::next_view_wanted);
 }
 
 // a button that can be toggled

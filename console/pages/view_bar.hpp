@@ -36,6 +36,8 @@ class ViewBar : public QWidget {
  Q_SIGNALS:
   /// A camera preset was chosen.
   void view_chosen(swage::console::CameraPreset preset);
+  /// The view after the present one is wanted.
+  void next_view_wanted();
   /// Display options were changed: cues; small views; contact forces.
   void cues_toggled(bool on);
   void insets_toggled(bool on);

@@ -487,6 +487,17 @@
     </message>
 </context>
 <context>
+    <name>SceneMarks</name>
+    <message>
+        <source>Across the wire</source>
+        <translation>Quer zum Draht</translation>
+    </message>
+    <message>
+        <source>Oblique by %1°: hold %2</source>
+        <translation>Schräg um %1°: %2 halten</translation>
+    </message>
+</context>
+<context>
     <name>ScenePainter</name>
     <message>
         <source>The 3D view needs OpenGL 3.3 (%1).
@@ -2130,14 +2141,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Orbit Side Top Near</source>
-        <translation>Kreisen Seite Oben Nah</translation>
-    </message>
-    <message>
-        <source>Go to a view</source>
-        <translation>Zu einer Ansicht gehen</translation>
-    </message>
-    <message>
         <source>Drag,  arrows</source>
         <translation>Ziehen,  Pfeile</translation>
     </message>
@@ -2380,6 +2383,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Instructor&apos;s handbook</source>
         <translation>Handbuch für Lehrende</translation>
+    </message>
+    <message>
+        <source>Orbit Side Top Near,  F11</source>
+        <translation>Kreisen Seite Oben Nah,  F11</translation>
+    </message>
+    <message>
+        <source>Go to a view; to the next one</source>
+        <translation>Zu einer Ansicht gehen; zur nächsten</translation>
     </message>
 </context>
 <context>
@@ -3833,6 +3844,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>▲ %1, over %2</source>
+        <translation>▲ %1, über %2</translation>
     </message>
 </context>
 <context>
@@ -5530,10 +5545,6 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Nah</translation>
     </message>
     <message>
-        <source>%1 view</source>
-        <translation>Ansicht: %1</translation>
-    </message>
-    <message>
         <source>Cues</source>
         <translation>Hinweise</translation>
     </message>
@@ -5576,6 +5587,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Readings, cues and events in a window of their own (F10); in a test on a screen that the trainee does not see</source>
         <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den der Trainee nicht sieht</translation>
+    </message>
+    <message>
+        <source>%1 view (F11: the next view)</source>
+        <translation>Ansicht: %1 (F11: die nächste)</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace swage::console {
 namespace {
@@ -33,21 +32,6 @@ Line line_of(const WireChain& chain, std::span<const swage_pose> X_WB) {
   return out;
 }
 
-/// Centre lines of all bent wires that may be grasped, each once.
-std::vector<Line> wires(const snapshot::SceneCard& card, const SceneParts& parts,
-                        std::span<const swage_pose> X_WB) {
-  std::vector<Line> out;
-  for (const WireChain& chain : parts.chains) out.push_back(line_of(chain, X_WB));
-  for (const snapshot::CardShape& s : card.shapes) {
-    const bool chained = std::any_of(parts.chains.begin(), parts.chains.end(),
-                                     [&](const WireChain& chain) { return chain.object == s.object; });
-    if (s.kind == SWAGE_SHAPE_ARC && !chained && s.body < X_WB.size() &&
-        role_of(card, s.object) == Role::kWork)
-      out.push_back(line_of(s, X_WB[s.body]));
-  }
-  return out;
-}
-
 float distance(const Line& line, const QVector3D& p) {
   float least = 1e30F;
   for (const QVector3D& q : line) least = std::min(least, (q - p).length());
@@ -67,11 +51,25 @@ std::optional<NeedleCircle> through(const QVector3D& a, const QVector3D& b, cons
 
 }  // namespace
 
+std::vector<std::vector<QVector3D>> wire_lines(const snapshot::SceneCard& card, const SceneParts& parts,
+                        std::span<const swage_pose> X_WB) {
+  std::vector<Line> out;
+  for (const WireChain& chain : parts.chains) out.push_back(line_of(chain, X_WB));
+  for (const snapshot::CardShape& s : card.shapes) {
+    const bool chained = std::any_of(parts.chains.begin(), parts.chains.end(),
+                                     [&](const WireChain& chain) { return chain.object == s.object; });
+    if (s.kind == SWAGE_SHAPE_ARC && !chained && s.body < X_WB.size() &&
+        role_of(card, s.object) == Role::kWork)
+      out.push_back(line_of(s, X_WB[s.body]));
+  }
+  return out;
+}
+
 std::optional<NeedleCircle> needle_circle(const snapshot::SceneCard& card, const SceneParts& parts,
                                           std::span<const swage_pose> X_WB, const QVector3D& tips,
                                           float reach) {
   std::optional<NeedleCircle> out;
-  for (const Line& line : wires(card, parts, X_WB)) {
+  for (const Line& line : wire_lines(card, parts, X_WB)) {
     const float far = distance(line, tips);
     if (far > reach || line.size() < 3) continue;
     if (const auto circle = through(line.front(), line[line.size() / 2], line.back())) {

@@ -6,6 +6,7 @@
 #include <QVector3D>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "console/view3d/scene_parts.hpp"
 
@@ -25,6 +26,9 @@ inline NeedleCircle mirrored(const NeedleCircle& c) {
 /// How far behind the tips a needle may be held, mm: jaws are 4 to 6 mm long, and one that is held deep must be driven as well. With
 /// 1 mm a needle held in the middle of the jaws did not move, and nothing said why.
 inline constexpr float kHeldReach_mm = 3;
+
+/// Centre lines of all bent wires that may be grasped, each once: points from the needle's point to its swage, mm, world.
+std::vector<std::vector<QVector3D>> wire_lines(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB);
 
 /// The circle through point, middle and swage of the bent wire nearest to `tips` (mm, world), in its present pose. No value
 /// where no wire is within `reach` mm, or it is straight.

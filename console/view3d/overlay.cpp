@@ -194,6 +194,28 @@ void Overlay::target_word(const QPointF& at, double radius_px, const CueStyle& s
   paint_cue_shape(p_, {label.left() + 8, label.center().y() - 0.5 * sign}, sign, one);
 }
 
+void Overlay::jaw_line(const QPointF& from, const QPointF& to, bool across) {
+  p_.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{QColor(0, 0, 0, 160), 4.5}, {QColor(255, 255, 255, 245), 2.2}}) {
+    QPen pen(colour, width, Qt::SolidLine, Qt::FlatCap);
+    if (!across) pen.setDashPattern({7 / width, 5 / width});
+    p_.setPen(pen);
+    p_.drawLine(from, to);
+  }
+}
+
+void Overlay::jaw_word(const QPointF& at, double radius_px, QChar sign, const QString& text) {
+  const QString all = sign + QLatin1Char(' ') + text;
+  const QRectF label = beside(at, radius_px, all, 0);
+  const QPointF end(std::clamp(at.x(), label.left(), label.right()), std::clamp(at.y(), label.top(), label.bottom()));
+  p_.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{QColor(0, 0, 0, 110), 3.0}, {QColor(255, 255, 255, 220), 1.4}}) {
+    p_.setPen(QPen(colour, width));
+    p_.drawLine(at + (end - at) * (radius_px / std::max(std::hypot(end.x() - at.x(), end.y() - at.y()), radius_px)), end);
+  }
+  pill(label, all, p_.font(), 0);
+}
+
 void Overlay::force(const QPointF& from, const QPointF& to) {
   const QPointF d = to - from;
   const double length = std::hypot(d.x(), d.y());

@@ -43,6 +43,10 @@ class Overlay {
   void led(const QPointF& at, const QString& name);
   /// The owner's name of a translucent instrument, with a thin line to it.
   void ghost(const QPointF& at, const QString& name);
+  /// The line along which the jaws' faces lie, through their tips: whole where they stand across the wire, else dashed.
+  void jaw_line(const QPointF& from, const QPointF& to, bool across);
+  /// A sign and words about the jaws, beside their tips with a short line to them.
+  void jaw_word(const QPointF& at, double radius_px, QChar sign, const QString& text);
   void force(const QPointF& from, const QPointF& to);
   /// Keeps later labels off this area.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }

@@ -3,9 +3,11 @@
 
 #include <swage/abi/lesson.h>
 
+#include <QtMath>
 #include <algorithm>
 
 #include "console/models/said.hpp"
+#include "console/view3d/jaw_angle.hpp"
 
 namespace swage::console {
 namespace {
@@ -14,6 +16,25 @@ constexpr double kBesideWound_px = 9;  // from its edge to the ring of its cue
 constexpr double kAboutMark_px = 3;    // room around a circle, for words
 constexpr double kAboutWork_px = 14;   // room around tips and ends, for words
 constexpr double kForceScale_px = 60;  // arrow of 1 N
+constexpr float kJawLine_mm = 0.7F;    // half of the line along the jaws' faces: as wide as the jaws at their base
+
+/// The sign of a turn as it is seen, and its key.
+std::pair<QChar, QString> turn_words(int key) {
+  switch (key) {
+    case Qt::Key_Z:
+      return {u'↺', QStringLiteral("Z")};
+    case Qt::Key_X:
+      return {u'↻', QStringLiteral("X")};
+    case Qt::Key_Left:
+      return {u'◁', QStringLiteral("←")};
+    case Qt::Key_Right:
+      return {u'▷', QStringLiteral("→")};
+    case Qt::Key_Up:
+      return {u'△', QStringLiteral("↑")};
+    default:
+      return {u'▽', QStringLiteral("↓")};
+  }
+}
 
 }  // namespace
 
@@ -21,6 +42,7 @@ void SceneMarks::paint(Overlay& overlay, const Panel& panel, bool leads) const {
   if (!scene_.have_snapshot()) return;
   if (panel.inset != Inset::kWound) paint_targets(overlay, panel);
   paint_forces(overlay, panel);
+  if (leads && panel.inset != Inset::kWound) paint_jaws(overlay, panel);
   if (panel.inset != Inset::kNone) return;
   paint_cues(overlay, panel);
   if (leads) paint_led(overlay, panel);
@@ -72,8 +94,8 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     overlay.target(at, radius, style);
     const double clear = std::max(radius, kLeastMark_px) + kAboutMark_px;
     overlay.keep_clear({at.x() - clear, at.y() - clear, 2 * clear, 2 * clear});
-    // where to bring it is said once it has been taken: before that the word lies over what is to be taken
-    const bool later = meaning == "target.point" && scene_.taken() == false;
+    // where to bring it, and how much thread is to be left, is said while it is held: before that the word lies over what is to be taken
+    const bool later = (meaning == "target.point" || meaning == "tail.point") && scene_.taken() == false;
     if (!later) words.push_back({at, radius, style});
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
@@ -125,6 +147,23 @@ void SceneMarks::paint_cues(Overlay& overlay, const Panel& panel) const {
     const bool tool = role_of(scene_.card(), o) == Role::kTool;
     overlay.cue(at, shown_.cues.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2, clear_px(o, panel));
   }
+}
+
+// How the open jaws that mouse and keys lead stand to the wire at their tips: an answer, and not shown in a test.
+void SceneMarks::paint_jaws(Overlay& overlay, const Panel& panel) const {
+  if (!shown_.cues_shown) return;
+  const SceneParts& parts = scene_.parts();
+  const auto jaws = jaw_angle(scene_.card(), parts, scene_.X_WB(), parts.tips);
+  if (!jaws) return;
+  const Eye& eye = panel.view.eye;
+  const auto project = [&](const QVector3D& p) { return eye.project(p, panel.size); };
+  const auto turn = jaw_turn(*jaws, eye.q_WC());
+  overlay.jaw_line(project(jaws->at - kJawLine_mm * jaws->faces), project(jaws->at + kJawLine_mm * jaws->faces), !turn);
+  if (panel.inset != Inset::kNone) return;
+  const double radius = kJawLine_mm / eye.mm_per_pixel(panel.size.height(), jaws->at);
+  if (!turn) return overlay.jaw_word(project(jaws->at), radius, QChar(u'✓'), tr("Across the wire"));
+  const auto [sign, key] = turn_words(turn->key);
+  overlay.jaw_word(project(jaws->at), radius, sign, tr("Oblique by %1°: hold %2").arg(qRadiansToDegrees(turn->angle), 0, 'f', 0).arg(key));
 }
 
 // Of two tools the one that the mouse leads has a sign at its tips.

@@ -3,6 +3,8 @@
 // What is painted over a panel at places of its scene: targets, forces, cues, whose tool is led, whose ghost it is. [main]
 #pragma once
 
+#include <QCoreApplication>
+
 #include "console/view3d/ghost_tools.hpp"
 #include "console/view3d/overlay.hpp"
 #include "console/view3d/panels.hpp"
@@ -11,6 +13,8 @@
 namespace swage::console {
 
 class SceneMarks {
+  Q_DECLARE_TR_FUNCTIONS(SceneMarks)
+
  public:
   SceneMarks(const SceneState& scene, const Shown& shown, const GhostTools& ghost) : scene_(scene), shown_(shown), ghost_(ghost) {}
   /// The greatest wound, and the object that it is in.
@@ -28,6 +32,7 @@ class SceneMarks {
   void paint_targets(Overlay& overlay, const Panel& panel) const;
   void paint_forces(Overlay& overlay, const Panel& panel) const;
   void paint_cues(Overlay& overlay, const Panel& panel) const;
+  void paint_jaws(Overlay& overlay, const Panel& panel) const;
   void paint_led(Overlay& overlay, const Panel& panel) const;
 
   const SceneState& scene_;

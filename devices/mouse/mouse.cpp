@@ -13,7 +13,7 @@ using toolkit::vec;
 namespace {
 
 Speeds speeds_of(const MouseParams& p) {
-  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.give, p.latch};
+  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.give, p.give_turn, p.latch};
 }
 
 }  // namespace
@@ -40,9 +40,10 @@ void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
   for (uint32_t i = 0; i < scene->n_signal; ++i) {
     const swage_scene_signal& signal = scene->signal[i];
     if (!params().grasp.empty() && view(signal.owner) != params().grasp) continue;
-    if (view(signal.id) == "grasp.force") grasps_.push_back({Signal(i), Signal(), Signal()});
+    if (view(signal.id) == "grasp.force") grasps_.push_back({Signal(i), Signal(), Signal(), Signal()});
     if (!grasps_.empty() && view(signal.id) == "grasp.left") grasps_.back().left = Signal(i);
     if (!grasps_.empty() && view(signal.id) == "grasp.right") grasps_.back().right = Signal(i);
+    if (!grasps_.empty() && view(signal.id) == "grasp.roll_moment") grasps_.back().roll_moment = Signal(i);
   }
   if (grasps_.empty() && !params().grasp.empty())
     refuse("there is no signal \"grasp.force\" of \"" + params().grasp + "\" (parameter grasp)");
@@ -50,13 +51,16 @@ void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
 
 void Mouse::look(const Sight& sight) {
   felt_ = {};
-  double left = 0, right = 0;
+  double left = 0, right = 0, moment = 0;
   for (const Grasp& grasp : grasps_) {
     felt_.grip = std::max(felt_.grip, sight.view().signal(grasp.force));
     if (!grasp.left.valid() || !grasp.right.valid()) continue;  // a coupling of others need not tell them
     left = std::max(left, sight.view().signal(grasp.left));
     right = std::max(right, sight.view().signal(grasp.right));
+    if (grasp.roll_moment.valid()) moment += sight.view().signal(grasp.roll_moment);
   }
+  constexpr double kTouch = 1e-3;  // N, from which a hand feels a touch: noise of the contact must not turn it
+  if (left + right >= kTouch) felt_.lever = moment / (left + right);
   constexpr double kFelt = 0.5;  // of the other jaw's force: below it one jaw is felt to push; at 1 a firm grip would wander
   if (std::min(left, right) < kFelt * std::max(left, right)) felt_.pushes = left > right ? 1 : -1;
 }

@@ -27,6 +27,7 @@ struct MouseParams {
   double smoothing = Speeds{}.smoothing;
   double rest_force = Speeds{}.rest_force;  // N
   double give = Speeds{}.give;              // m/s
+  double give_turn = Speeds{}.give_turn;    // rad/s
   bool latch = Speeds{}.latch;
   swage_vec3 circle_centre = {0, 0, 0};  // m
   swage_vec3 circle_axis = {0, 0, 0};
@@ -37,7 +38,7 @@ struct MouseParams {
 class Mouse final : public SeeingDevice<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
-  static constexpr auto version = "1.3.0";
+  static constexpr auto version = "1.4.0";
   static constexpr auto name = "Mouse and keyboard";
   static constexpr auto summary =
       "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
@@ -113,6 +114,10 @@ class Mouse final : public SeeingDevice<MouseParams> {
                                "Speed at which the hand gives way while one jaw presses more than the other as it closes; 0: it never does.")
           .live()
           .hidden(),
+      real<&MouseParams::give_turn>("give_turn", "Yields, turning", "rad/s", "deg/s", 0, 3600 * kDegree,
+                                    "Greatest speed at which the hand rolls with the wire on which the jaws close obliquely; 0: it never does.")
+          .live()
+          .hidden(),
   };
 
   void build(const MouseParams& params, DeviceBuilder& builder) override;
@@ -129,9 +134,9 @@ class Mouse final : public SeeingDevice<MouseParams> {
 
   const swage_host_pointer* pointer_ = nullptr;
   MouseHand hand_;
-  /// Signals of one grasp: the grip force, and the force of each jaw.
+  /// Signals of one grasp: the grip force, the force of each jaw, and their moment about the jaw axis.
   struct Grasp {
-    Signal force, left, right;
+    Signal force, left, right, roll_moment;
   };
   std::vector<Grasp> grasps_;  // of one coupling, or of every coupling that grasps
   Felt felt_;

@@ -43,6 +43,7 @@ struct Speeds {
   double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves smoothly
   double rest_force = 0.6;  // N, grip force at which closing stops until the key is pressed again; 0: it never stops
   double give = 2e-3;       // m/s, at which the hand gives way while one jaw pushes: quicker than a jaw closes; 0: it never does
+  double give_turn = 4 * std::numbers::pi;  // rad/s, at most, at which the hand rolls with the wire on which the jaws close obliquely; 0: it never does
   bool latch = true;        // the jaws keep their closure when the key is released; otherwise they open again
 };
 
@@ -50,6 +51,7 @@ struct Speeds {
 struct Felt {
   double grip = 0;  // N, the grip force
   int pushes = 0;   // which jaw presses more than the other: 1 the left, -1 the right, 0 neither
+  double lever = 0;  // m, half of the way along the jaws' width between the places where they press: the couple over the sum of the forces
 };
 
 /// Commanded pose of the hand, and its smoothed pose.
@@ -66,7 +68,10 @@ class MouseHand {
     if (const double angle = scale * along_circle(pointer, q_WC, dt); angle != 0) drive(angle);
     if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
     target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
-    if (squeeze(pointer, scale, dt, felt.grip)) yield(felt.pushes * scale * speeds_.give * dt);
+    if (squeeze(pointer, scale, dt, felt.grip)) {
+      yield(felt.pushes * scale * speeds_.give * dt);
+      roll(std::clamp(felt.lever / kFullLever, -1.0, 1.0) * scale * speeds_.give_turn * dt);
+    }
     smooth(dt);
   }
 
@@ -152,6 +157,13 @@ class MouseHand {
     for (Pose* pose : {&target_, &middle_, &pose_}) pose->p += d;
   }
 
+  /// Jaws that close obliquely on a wire touch it at one edge each, and turn it. A wrist gives way to that moment: the hand rolls about the
+  /// jaw axis by `angle` [rad], at once, until the faces lie along the wire.
+  void roll(double angle) {
+    const Quat turn = toolkit::exp_rotation(angle * (target_.q * Vec3::UnitX()));
+    for (Pose* pose : {&target_, &middle_, &pose_}) pose->q = (turn * pose->q).normalized();
+  }
+
   /// A first press closes until the jaws hold with the resting force; a new press from there closes on. True while they close.
   bool squeeze(const swage_pointer& p, double scale, double dt, double grip) {
     constexpr double kNotch = 0.02;  // closure per notch of the wheel
@@ -182,6 +194,10 @@ class MouseHand {
     const Vec3 turn = toolkit::log_rotation(goal.q * pose.q.conjugate());
     pose.q = (toolkit::exp_rotation(share * turn) * pose.q).normalized();
   }
+
+  // m, the lever from which the hand rolls with its full speed: a third of a jaw's half width. A larger one leaves the needle turned, a
+  // smaller one lets the hand swing about the wire.
+  static constexpr double kFullLever = 0.1e-3;
 
   Speeds speeds_;
   Circle circle_;

@@ -184,7 +184,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("insert.deflections", "Failed punctures", SWAGE_SHOW_COUNT, 0, nullptr, "max_deflections"),
     lessons::label("wound.size", "Entry wound size", SWAGE_SHOW_SHARE, 2, nullptr, "max_wound"),
     lessons::label("wound.wide", "Entry wound size about its centre", SWAGE_SHOW_SHARE),
-    lessons::label("wound.exit", "Exit wound size", SWAGE_SHOW_SHARE),
+    lessons::label("wound.exit", "Exit wound size", SWAGE_SHOW_SHARE, 0, nullptr, "max_wound"),
     lessons::label("wound.area", "Entry wound area (% of the needle's)", SWAGE_SHOW_SHARE),
     lessons::label("tissue.pull", "Tissue pull over time"),
     lessons::label("tissue.swept", "Area torn below the surface"),

@@ -29,6 +29,12 @@ double Pinch::imbalance() const {
   return harder > 0 ? std::abs(left - right) / harder : 0;
 }
 
+// Of unequal jaws the weaker one's force counts: the rest is no couple, and a hand gives way to it by moving aside.
+double Pinch::couple() const {
+  const double weaker = std::min(left, right);
+  return weaker > 0 ? weaker * (roll_left / left + roll_right / right) : 0;
+}
+
 void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
   params_ = params;
   builder.state<GraspState>();
@@ -48,6 +54,8 @@ void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
   balance_ = builder.signal("grasp.balance", "1",
                             "Difference of the jaws over the harder one: 0 even, 1 one-sided.");
   slip_ = builder.signal("grasp.slip", "m/s", "Speed at which the thing slides in the jaws.");
+  roll_moment_ = builder.signal("grasp.roll_moment", "N*m",
+                                "Couple about the jaw axis of both jaws that press obliquely on a wire; right-handed: it would turn them along it.");
   touched_ = builder.event("grasp.touched",
                            "A jaw has touched it, after at least 0.15 s without; value: the force.");
   taken_ =
@@ -66,15 +74,16 @@ void Grasp::bind(const Peer& a, const Peer& b) {
 }
 
 bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const {
-  const Vec3 closing = vec(jaws.closing_W);
+  const Vec3 closing = vec(jaws.closing_W), across = closing.cross(vec(jaws.axis_W)), tip_W = vec(jaws.tip_W);
   for (const swage_contact& contact : step.contacts()) {
     // the force of the object on a jaw pushes the left jaw to the left, the right one to the right
     const Vec3 f = vec(contact.f_a_W);
     const double normal = f.dot(vec(contact.n_W));
+    const double along = f.dot(closing), roll = (vec(contact.p_W) - tip_W).dot(across) * along;
     if (contact.body_a == jaws.left_body)
-      pinch.left += f.dot(closing);
+      pinch.left += along, pinch.roll_left += roll;
     else if (contact.body_a == jaws.right_body)
-      pinch.right -= f.dot(closing);
+      pinch.right -= along, pinch.roll_right += roll;
     else
       continue;
     if (!(normal > 0)) continue;
@@ -219,6 +228,7 @@ void Grasp::finish(const CouplingStep& step) {
   step.signal(tilt_plane_, state.tilt_plane);
   step.signal(balance_, pinch.uneven);
   step.signal(slip_, pinch.slip);
+  step.signal(roll_moment_, pinch.couple());
 }
 
 void Grasp::reset(const CouplingStep& step) { step.state<GraspState>() = {}; }

@@ -42,6 +42,7 @@ struct GraspState {
 /// Sums and means of the contacts of one step.
 struct Pinch {
   double left = 0, right = 0;  // N, force of each jaw along the closing direction
+  double roll_left = 0, roll_right = 0;  // N m, of each jaw's forces along the closing direction about the jaw axis
   double weight = 0;           // N, sum of the normal forces
   double s = 0;                // coordinate along the object, weighted by normal force
   double slip = 0;             // m/s, likewise
@@ -51,13 +52,14 @@ struct Pinch {
   double uneven = 1;  // imbalance of the forces, or of the penetrations: 0 for an even pinch, 1 for one jaw alone
 
   double force() const { return 0.5 * (left + right); }
+  double couple() const;     // N m, with which the two jaws turn each other about their axis; 0 while one of them does not press
   double imbalance() const;  // |left - right| over the harder one
 };
 
 class Grasp final : public Coupling<GraspParams> {
  public:
   static constexpr auto id = "swage.coupling.grasp";
-  static constexpr auto version = "1.0.0";
+  static constexpr auto version = "1.1.0";
   static constexpr auto name = "Grasp";
   static constexpr auto summary =
       "Tells from the contact forces whether, where, how hard and how squarely a gripper holds a thing.";
@@ -105,7 +107,7 @@ class Grasp final : public Coupling<GraspParams> {
 
   GraspParams params_;
   Peer gripper_, thing_;
-  Signal held_, force_, left_, right_, s_, tip_reach_, tilt_axis_, tilt_plane_, balance_, slip_;
+  Signal held_, force_, left_, right_, s_, tip_reach_, tilt_axis_, tilt_plane_, balance_, slip_, roll_moment_;
   WirePeer wire_;
   Event touched_, taken_, released_, too_hard_, collapsed_, broke_;
 };

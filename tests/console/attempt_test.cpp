@@ -185,6 +185,32 @@ TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
   EXPECT_TRUE(eventually([&] { return !is_from_above(); }));
 }
 
+// By keys the view is changed while they lead the instrument: the keyboard stays with the picture.
+TEST_F(AttemptOnPage, AKeyGoesFromViewToView) {
+  script.end_s = 0;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  click("start");
+  ASSERT_TRUE(wait_for_time(0.05));
+  console::OrbitCamera& camera = page()->view()->camera();
+  const auto seen = [&] {
+    camera.jump();
+    return camera.q_WC();
+  };
+  std::vector<QQuaternion> views;
+  for (const console::CameraPreset preset : {console::CameraPreset::kSide, console::CameraPreset::kTop, console::CameraPreset::kNear, console::CameraPreset::kOrbit}) {
+    page()->look(preset);
+    views.push_back(seen());
+  }
+  ASSERT_NE(views[0], views[3]);
+  page()->view()->setFocus();
+  for (const QQuaternion& view : views) {
+    QTest::keyClick(page()->view(), Qt::Key_F11);
+    EXPECT_LT((seen() - view).length(), 1e-4F);
+    EXPECT_TRUE(page()->view()->hasFocus());
+  }
+}
+
 // A lesson that cannot run leaves no old scene, and the Lessons page shows the reason as well.
 TEST_F(AttemptOnPage, ALessonThatCannotRunIsNotOffered) {
   open();

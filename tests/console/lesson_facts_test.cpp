@@ -117,6 +117,7 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   EXPECT_EQ(metric_target(limit, "force.mean", limits()), MetricTarget{});
   EXPECT_EQ(metric_target(limit, "insert.entry_distance", limits()), (MetricTarget{{}, 3e-4}));
   EXPECT_EQ(metric_target(limit, "time", limits()), MetricTarget{});
+  EXPECT_EQ(metric_targets(limit, limits()), (std::map<std::string, MetricTarget>{{"force.peak", {{}, 1.5}}, {"insert.entry_distance", {{}, 3e-4}}}));
 }
 
 // Criteria contain the lesson's own values.

@@ -257,5 +257,29 @@ TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
   }
 }
 
+// A passed attempt whose exit wound was torn far beyond the limit must not hide that behind "All numbers".
+TEST(Stranger, SeesWhatIsBeyondItsLimitAmongTheFirstNumbers) {
+  ResultPanel panel;
+  session::Result result;
+  result.outcome = judge::Outcome::kPassed;
+  result.metrics = {{"time.task", "s", "", 41.0}, {"wound.exit", "1", "", 9.05}, {"wound.wide", "1", "", 1.2}};
+  snapshot::SceneCard card;
+  card.metrics.resize(3);
+  card.metrics[0].rank = 1;
+  for (const size_t i : {1u, 2u}) card.metrics[i].show = SWAGE_SHOW_SHARE;
+  const auto first = [&](const char* metric) {
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->accessibleName() == metric_title(metric) && label->isVisibleTo(&panel)) return label->text().toStdString();
+    return std::string();
+  };
+  panel.show_result(result, card, true);
+  EXPECT_EQ(first("wound.exit"), "") << "no limit is known";
+  panel.set_targets({{"wound.exit", {{}, 6}}, {"wound.wide", {{}, 6}}});
+  panel.show_result(result, card, true);
+  EXPECT_TRUE(first("wound.exit").starts_with("▲ 905")) << first("wound.exit");
+  EXPECT_NE(first("wound.exit").find("over 600"), std::string::npos) << first("wound.exit");
+  EXPECT_EQ(first("wound.wide"), "") << "within its limit it stands on demand";
+}
+
 }  // namespace
 }  // namespace swage::console

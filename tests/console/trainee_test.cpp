@@ -270,7 +270,7 @@ TEST(TraineePanel, PointsForTimeAreToldBesideTheTimeThatCostThem) {
     return std::string();
   };
   EXPECT_EQ(told(), "") << "where the lesson says none";
-  panel.set_free_time(15);
+  panel.set_targets({{"time.task", {{}, 15}}});
   EXPECT_NE(told().find("29.6 s active, 15.0 s free"), std::string::npos) << told();
 }
 

@@ -183,6 +183,22 @@ TEST_F(Grasp, SlipIsTheSpeedAtTheContacts) {
   EXPECT_NEAR(signal("grasp.slip"), (0.3 * 1e-3 + 0.1 * 5e-3) / 0.4, 1e-15);
 }
 
+// Jaws that close obliquely on a wire touch it at opposite edges: the couple would turn them about their axis.
+TEST_F(Grasp, TellsTheMomentOfObliqueJawsAboutTheirAxis) {
+  gripper_.state.axis_W = {1, 0, 0};
+  gripper_.state.closing_W = {0, 0, 1};
+  press(0.6, 0.6, 1, 0.2e-3, -0.2e-3);
+  EXPECT_NEAR(signal("grasp.roll_moment"), 2 * 0.6 * 0.2e-3, 1e-12) << "right-handed about the axis: the left jaw's +y edge is pushed to the left";
+  press(0.6, 0.6, 1, -0.2e-3, 0.2e-3);
+  EXPECT_NEAR(signal("grasp.roll_moment"), -2 * 0.6 * 0.2e-3, 1e-12);
+  press(0.6, 0.6, 1, 0.2e-3, 0.2e-3);
+  EXPECT_NEAR(signal("grasp.roll_moment"), 0, 1e-12) << "both beside the axis: nothing turns";
+  press(0.6, 0, 1, 0.2e-3);
+  EXPECT_EQ(signal("grasp.roll_moment"), 0) << "one jaw pushes, and turns nothing";
+  press(0.6, 0.1, 1, 0.2e-3, -0.2e-3);
+  EXPECT_NEAR(signal("grasp.roll_moment"), 2 * 0.1 * 0.2e-3, 1e-12) << "the weaker jaw counts";
+}
+
 TEST_F(Grasp, TheToolBodyIsNoJaw) {
   contacts_ = {touch(0, 0.6, 0, {0, 0, 1}), touch(2, 0.6, 0, {0, 0, -1})};
   for (int i = 0; i < 100; ++i) step();

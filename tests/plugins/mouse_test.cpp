@@ -162,7 +162,7 @@ TEST(MouseHand, ClosingRestsAtTheForceOfTheLessonUntilTheKeyIsPressedAgain) {
   // jaws that touch at a closure of 0.2 and then hold with 2 N per closure
   const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
   const auto run = [&](double seconds) {
-    for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) hand.step(p, 1e-3, {grip(), 0});
+    for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) hand.step(p, 1e-3, {grip(), 0, 0});
   };
   p.keys = kSpace;
   run(3);
@@ -186,12 +186,34 @@ TEST(MouseHand, GivesWayToTheJawThatPushesWhileItCloses) {
     MouseHand hand(Speeds{}, Pose());
     swage_pointer p = still();
     p.keys = kSpace;
-    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw});
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw, 0});
     EXPECT_LT((hand.pose().p - Vec3(0, 0, jaw * 0.1 * Speeds{}.give)).norm(), 1e-9) << jaw;
     p.keys = 0;
     const Vec3 there = hand.pose().p;
-    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw});
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, jaw, 0});
     EXPECT_LT((hand.pose().p - there).norm(), 1e-9) << "a needle that is held does not lead the hand";
+  }
+}
+
+TEST(MouseHand, RollsWithTheWireOnWhichItsJawsCloseObliquely) {
+  // jaws of 0.6 mm width on a wire that lies `off` from their faces: they press at their edges until the wire lies along them within 1 deg
+  const auto lever = [](double off) { return 0.3e-3 * std::clamp(off / (std::numbers::pi / 180), -1.0, 1.0); };
+  const auto off_after = [&](double give_turn, double off, uint64_t key) {
+    Speeds speeds;
+    speeds.give_turn = give_turn;
+    const Pose start({1e-3, 2e-3, 3e-3}, toolkit::exp_rotation({0.3, -0.5, 0.8}));
+    MouseHand hand(speeds, start);
+    swage_pointer p = still();
+    p.keys = key;
+    const auto rolled = [&] { return toolkit::log_rotation(start.q.conjugate() * hand.pose().q).x(); };
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3, {0.05, 0, lever(off - rolled())});
+    EXPECT_LT((hand.pose().p - start.p).norm(), 1e-12) << "about the tips";
+    return off - rolled();
+  };
+  for (const double off : {0.35, -0.35, 0.5}) {
+    EXPECT_LT(std::abs(off_after(Speeds{}.give_turn, off, kSpace)), 0.01) << off;
+    EXPECT_EQ(off_after(0, off, kSpace), off) << "it never does";
+    EXPECT_EQ(off_after(Speeds{}.give_turn, off, 0), off) << "a needle that is held does not lead the hand";
   }
 }
 
@@ -203,7 +225,7 @@ TEST(MouseHand, TheRepeatOfAHeldKeyIsNoSecondPress) {
   const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
   for (int ms = 0; ms < 3000; ++ms) {
     p.keys = ms > 600 && ms % 40 < 5 ? 0 : kSpace;  // up for 5 ms at each repeat
-    hand.step(p, 1e-3, {grip(), 0});
+    hand.step(p, 1e-3, {grip(), 0, 0});
   }
   EXPECT_NEAR(grip(), 0.6, 2e-3);
 }
