@@ -2489,12 +2489,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>▲ %1</translation>
     </message>
     <message>
-        <source>The lesson was taken in.</source>
-        <translation>Die Lektion wurde aufgenommen.</translation>
+        <source>The lesson was imported.</source>
+        <translation>Die Lektion wurde importiert.</translation>
     </message>
     <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
     </message>
 </context>
 <context>
