@@ -800,7 +800,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>, typically with the first attempt</source>
-        <translation>, typischerweise mit dem ersten Versuch</translation>
+        <translation>, meist mit dem ersten Versuch</translation>
     </message>
     <message>
         <source>%1 of %2 expert attempts pass and meet the limit.</source>

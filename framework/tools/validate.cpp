@@ -99,7 +99,7 @@ std::string not_asked(const ValidateOptions& o, const std::vector<host::Validate
     level = std::max(level, test.level);
     if (std::find(names.begin(), names.end(), test.name) == names.end()) names.push_back(test.name);
   }
-  return names.empty() || !o.only.empty() ? "" : say::kNotAsked(host::join(names), level);
+  return names.empty() || !o.only.empty() ? "" : say::kNotAskedYet(host::join(names), level);
 }
 
 void validate_bundle(const std::string& path, const ValidateOptions& o,
