@@ -55,10 +55,10 @@ void LessonRequests::connect_files() {
   connect(lessons, &LessonsPage::import_lesson, this, [this, tell](const QString& file) {
     const QString problem = pages_->run()->editing()->import_file(file);
     show_again();
-    tell(problem, tr("The lesson was taken in."));
+    tell(problem, tr("The lesson was imported."));
   });
   connect(lessons, &LessonsPage::export_lesson, this, [tell](const QString& path, const QString& file) {
-    tell(console::export_lesson(path, file), tr("Written to %1.").arg(file));
+    tell(console::export_lesson(path, file), tr("Saved to: %1").arg(file));
   });
 }
 

@@ -27,7 +27,7 @@ QHash<QString, QString> courses_of(record::School& school, const std::vector<rec
     if (title.isEmpty()) return;
     const QDate due = QDate::fromString(QString::fromStdString(a.due_utc).left(10), Qt::ISODate);
     const QString words =
-        due.isValid() ? CourseWords::tr("%1, until %2").arg(title, QLocale().toString(due, QLocale::ShortFormat)) : title;
+        due.isValid() ? CourseWords::tr("%1, until %2").arg(title, date_text(due)) : title;
     QString& known = out[QString::fromStdString(person.id)];
     if (!known.contains(title)) known += (known.isEmpty() ? QString() : QStringLiteral("; ")) + words;
   };

@@ -119,6 +119,8 @@ QString remark_text(const QString& remark) {
   return out.join(QStringLiteral(", "));
 }
 
+QString date_text(const QDate& date) { return QLocale().toString(date, ValueWords::tr("d MMM yyyy")); }
+
 QString when_text(const QString& utc) {
   const QDateTime time = QDateTime::fromString(utc, Qt::ISODate);
   if (!time.isValid()) return utc;

@@ -3,6 +3,7 @@
 // Text forms of ids, units, quantities and verdicts.
 #pragma once
 
+#include <QDate>
 #include <QString>
 #include <string_view>
 
@@ -31,6 +32,8 @@ QString verdict_text(const QString& outcome);
 QString mode_text(const QString& mode);
 /// A caveat on the numbers of an attempt (record::AttemptRow::remark), in the language of the window.
 QString remark_text(const QString& remark);
+/// "29 Nov 2026": a date that reads alike wherever people write the day first or the month.
+QString date_text(const QDate& date);
 /// "2026-11-21T09:30:00Z" -> "21 Nov 2026 10:30" in local time.
 QString when_text(const QString& utc);
 

@@ -230,8 +230,16 @@ void PeoplePage::choose(const QString& id) {
   table_->scrollTo(at);
 }
 
+// beside the chosen one: who were chosen together stay so when the table is filled anew
+void PeoplePage::choose_too(const std::vector<std::string>& ids) {
+  for (const std::string& id : ids)
+    if (const int row = people_->row_of(QString::fromStdString(id)); row >= 0)
+      table_->selectionModel()->select(sorted_->mapFromSource(people_->index(row, 0)), QItemSelectionModel::Select | QItemSelectionModel::Rows);
+}
+
 void PeoplePage::refresh() {
   const QString id = chosen();
+  const std::vector<std::string> together = all_chosen();
   const std::shared_ptr<record::Store> store = link_->store();
   if (!store) return show_empty(link_->problem());
   const std::vector<record::Person> people = store->people();
@@ -249,6 +257,7 @@ void PeoplePage::refresh() {
   stack_->setCurrentIndex(0);
   filling_ = true;
   choose(id);
+  if (together.size() > 1) choose_too(together);
   filling_ = false;
   show_chosen();
 }

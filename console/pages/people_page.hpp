@@ -63,6 +63,7 @@ class PeoplePage : public QWidget {
   std::vector<record::AttemptRow> attempts_of(const std::vector<std::string>& people, const std::string& lesson);
   const std::vector<record::AttemptRow>& experts_at(const std::string& lesson, const std::vector<std::string>& experts);
   void choose(const QString& id);
+  void choose_too(const std::vector<std::string>& ids);
 
   void report_group();
 

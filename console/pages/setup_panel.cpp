@@ -129,7 +129,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
 // buttons for the user's own lessons
 QHBoxLayout* SetupPanel::make_own(QWidget* parent) {
   auto* row = new QHBoxLayout;
-  edit_ = make_button(tr("Edit…"), QStringLiteral("Ctrl+E"), QStringLiteral("edit_lesson"), parent);
+  edit_ = make_keyed_button(tr("Edit…"), QStringLiteral("Ctrl+E"), QStringLiteral("edit_lesson"), parent);
   edit_->setToolTip(tr("Title, task, goal and values of this lesson of your own"));
   give_key(edit_, QStringLiteral("Ctrl+E"));
   delete_ = make_button(tr("Delete…"), {}, QStringLiteral("delete_lesson"), parent);

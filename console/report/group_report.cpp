@@ -21,7 +21,7 @@ class GroupWords {
 
 QString day_words(const QString& utc) {
   const QDateTime when = QDateTime::fromString(utc, Qt::ISODate).toLocalTime();
-  return when.isValid() ? QLocale().toString(when.date(), QLocale::ShortFormat) : GroupWords::tr("not yet");
+  return when.isValid() ? date_text(when.date()) : GroupWords::tr("not yet");
 }
 
 QStringList cells_of(const GroupRow& row, bool of_course) {
@@ -82,7 +82,7 @@ void add_lessons(Sheet& sheet, const GroupReport& r) {
 void draw_group(Sheet& sheet, const GroupReport& r) {
   sheet.text(r.title, 18, true);
   const QString what = r.course.isEmpty() ? GroupWords::tr("All lessons") : r.course;
-  sheet.text(GroupWords::tr("%1, %2").arg(what, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, kGrey);
+  sheet.text(GroupWords::tr("%1, %2").arg(what, date_text(QDate::currentDate())), 10, false, kGrey);
   sheet.text(group_words(r), 11);
   sheet.gap(8);
   add_people(sheet, r);

@@ -94,7 +94,7 @@ void add_bars(Sheet& sheet, const PersonReport& r, const UiTheme& theme) {
 void draw(Sheet& sheet, const PersonReport& r) {
   const UiTheme theme = UiTheme::stock(QStringLiteral("light"));
   sheet.text(r.name.isEmpty() ? r.code : PersonWords::tr("%1 (%2)").arg(person_text(r.name), r.code), 18, true);
-  sheet.text(PersonWords::tr("%1, %2").arg(r.lesson, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, QColor(80, 80, 80));
+  sheet.text(PersonWords::tr("%1, %2").arg(r.lesson, date_text(QDate::currentDate())), 10, false, QColor(80, 80, 80));
   QString stands = passed_words(r);
   if (const QString words = attention_words(r.standing); !words.isEmpty()) stands += PersonWords::tr(" Now: %1.").arg(words);
   sheet.text(stands, 11);

@@ -811,7 +811,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>, typically with the first attempt</source>
-        <translation>, typischerweise mit dem ersten Versuch</translation>
+        <translation>, meist mit dem ersten Versuch</translation>
     </message>
     <message>
         <source>%1 of %2 expert attempts pass and meet the limit.</source>
@@ -2500,12 +2500,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>▲ %1</translation>
     </message>
     <message>
-        <source>The lesson was taken in.</source>
-        <translation>Die Lektion wurde aufgenommen.</translation>
+        <source>The lesson was imported.</source>
+        <translation>Die Lektion wurde importiert.</translation>
     </message>
     <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
     </message>
 </context>
 <context>
@@ -6026,6 +6026,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>d MMM yyyy HH:mm</source>
         <translation>d. MMM yyyy HH:mm</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation>d. MMM yyyy</translation>
     </message>
 </context>
 </TS>

@@ -107,6 +107,20 @@ QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent
   return line;
 }
 
+namespace {
+
+// Room between the columns as wide as a letter; the style's padding would move the text of a chosen row alone.
+class RowDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int kBetween_px = 10;
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(kBetween_px, 0);
+  }
+};
+
+}  // namespace
+
 QTableView* make_row_table(QAbstractItemModel* model, const QString& title, const QString& name, QWidget* parent) {
   constexpr int kRow_px = 28;
   auto* table = new QTableView(parent);
@@ -118,6 +132,7 @@ QTableView* make_row_table(QAbstractItemModel* model, const QString& title, cons
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setTabKeyNavigation(false);
+  table->setItemDelegate(new RowDelegate(table));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(kRow_px);
   table->horizontalHeader()->setHighlightSections(false);

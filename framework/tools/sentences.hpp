@@ -181,6 +181,7 @@ inline constexpr auto kReadyAnd = "ready. {}"_sentence;
 // swage validate
 inline constexpr auto kNoTest = "There is no test \"{}\".{} It has: {}."_sentence;  // second: "did you mean"
 inline constexpr auto kNeedsStrictness = "The test \"{}\" needs --strictness {}."_sentence;
+inline constexpr auto kNotAskedYet = "not asked: {}. --strictness {} asks these too."_sentence;
 inline constexpr auto kNotOfItsKind = "Nothing was tested: \"{}\" is a test of {}."_sentence;
 inline constexpr auto kNoLibraryIn = "{} is a bundle without a library (*.so): build it first."_sentence;
 inline constexpr auto kHoldsNeither = "{} holds neither a plugin (*.so) nor lessons (*.json)."_sentence;

@@ -90,6 +90,18 @@ std::string kinds_of(const std::string& name, const std::vector<host::ValidateTe
   return host::join(kinds);
 }
 
+// What a good result does not say, as nobody asked for it: allocation and waiting in the step among others. "" where all was asked.
+std::string not_asked(const ValidateOptions& o, const std::vector<host::ValidateTest>& tests) {
+  std::vector<std::string> names;
+  uint32_t level = 0;
+  for (const host::ValidateTest& test : tests) {
+    if (test.level <= o.strictness) continue;
+    level = std::max(level, test.level);
+    if (std::find(names.begin(), names.end(), test.name) == names.end()) names.push_back(test.name);
+  }
+  return names.empty() || !o.only.empty() ? "" : say::kNotAskedYet(host::join(names), level);
+}
+
 void validate_bundle(const std::string& path, const ValidateOptions& o,
                      const std::vector<host::ValidateTest>& tests, Report& report) {
   host::ValidateOptions options;
@@ -129,6 +141,7 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
     std::printf("  %s: %zu passed, %zu with a warning, %zu skipped, %zu failed\n", good ? "good" : "NOT good",
                 of(Mark::kSuccess), of(Mark::kWarning), of(Mark::kSkipped),
                 of(Mark::kFailed) + of(Mark::kCrashed));
+  if (const std::string more = not_asked(o, tests); !o.json && good && !more.empty()) std::printf("  %s\n", more.c_str());
 }
 
 bool holds_library(const fs::path& folder) {

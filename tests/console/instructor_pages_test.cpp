@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTableWidget>
 #include <QTimer>
 
@@ -116,6 +117,27 @@ TEST_F(InstructorPages, LimitsFromExpertsSayWhyThereAreNone) {
   click("suggest_limits");
   EXPECT_TRUE(child<QLabel>("course_problem")->text().contains("No attempts of experts"));
   EXPECT_DOUBLE_EQ(window->courses_page()->course().steps[0].limits[0].most, 0.91173);
+}
+
+// Several people stay chosen when a course is assigned to them, so that their report is the next step.
+TEST_F(InstructorPages, WhoWereChosenTogetherStayChosen) {
+  open();
+  click("page_people");
+  for (const char* name : {"Arun P.", "Bea L.", "Chen W."}) {
+    console::RosterLine line;
+    line.name = QString::fromUtf8(name);
+    ASSERT_TRUE(window->desk()->add_people({line}));
+  }
+  auto* table = child<QTableView>("people");
+  table->selectAll();
+  ASSERT_EQ(table->selectionModel()->selectedRows().size(), 3);
+  record::Course course;
+  course.title = "Basic";
+  ASSERT_TRUE(window->desk()->change_course({}, course, QStringLiteral("course")));
+  EXPECT_EQ(table->selectionModel()->selectedRows().size(), 3);
+  window->people_page()->select_person(QStringLiteral("Bea L."));
+  window->people_page()->refresh();
+  EXPECT_EQ(table->selectionModel()->selectedRows().size(), 1) << "and one alone stays one";
 }
 
 // A metric stands ready for a limit, and the words about unknown ones are for a lesson that is not installed.

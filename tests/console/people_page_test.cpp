@@ -45,7 +45,8 @@ TEST_F(PeoplePages, AChosenRowKeepsThePlaceOfItsText) {
   ASSERT_GE(table->model()->rowCount(), 2);
   const auto text_begins = [&](int row) {
     const QRect cell = table->visualRect(table->model()->index(row, 0));
-    const QImage picture = table->viewport()->grab(cell).toImage();
+    const QRect in_window(table->viewport()->mapTo(window.get(), cell.topLeft()), cell.size());
+    const QImage picture = window->grab(in_window).toImage();  // with what is below the table, which is transparent
     const QRgb ground = picture.pixel(1, 1);
     for (int x = 1; x < picture.width(); ++x)
       for (int y = 2; y < picture.height() - 2; ++y)

@@ -28,6 +28,14 @@ TEST_F(Validate, AGoodPluginPasses) {
   EXPECT_THAT(said.out, HasSubstr("\n  good: "));
 }
 
+// what "good" does not say is told: a plugin that allocates in the step is good for who did not ask
+TEST_F(Validate, WhatWasNotAskedIsTold) {
+  const Said usual = swage({"validate", stock("swage.object.jaws")});
+  EXPECT_THAT(usual.out, testing::AllOf(HasSubstr("not asked: "), HasSubstr("real_time"), HasSubstr("waits"))) << usual.out;
+  EXPECT_THAT(swage({"validate", stock("swage.object.jaws"), "--strictness", "10"}).out, testing::Not(HasSubstr("not asked")));
+  EXPECT_THAT(swage({"validate", stock("swage.object.jaws"), "--only", "load"}).out, testing::Not(HasSubstr("not asked")));
+}
+
 // a lesson finds its objects among those that are installed, a coupling its partners; nothing is left out for want of a scene
 TEST_F(Validate, LessonsAndCouplingsAreTestedToo) {
   for (const char* id : {"swage.lesson.grasp", "swage.lesson.free_practice", "swage.lesson.look",
