@@ -28,7 +28,7 @@ QString AttemptAdvice::words(bool by_mouse) const {
 }
 
 void AttemptAdvice::use(const QString& control) {
-  used_ += QLatin1Char(' ') + control;
+  if (!used_.split(QLatin1Char(' ')).contains(control)) used_ += QLatin1Char(' ') + control;
   if (control == QLatin1String("close")) closed_ = true;
   if (control == QLatin1String("open")) closed_ = false;
 }
@@ -37,7 +37,7 @@ ControlHints AttemptAdvice::hints(bool test, bool drives) const {
   const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
   // jaws stay closed when the key is released: who has closed them on nothing is told how to open them
   const bool open = (closed_ && !holds_) || (!test && misplaced_);
-  return {wanted("drag"), wanted("close"), drives && holds_ && near_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_)};
+  return {wanted("drag"), wanted("close"), drives && holds_ && near_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_), drives && wanted("side")};
 }
 
 }  // namespace swage::console

@@ -26,7 +26,7 @@ class AttemptAdvice {
   /// The present advice; "" for none. `by_mouse`: the mouse is the instrument.
   QString words(bool by_mouse) const;
 
-  /// Controls that the person has used, in this attempt or an earlier one: "drag close drive open". Their hints are not shown again.
+  /// Controls that the person has used, in this attempt or an earlier one: "drag close drive open side". Their hints are not shown again.
   void set_used(const QString& used) { used_ = used; }
   void use(const QString& control);
   const QString& used() const { return used_; }

@@ -89,6 +89,9 @@ void AttemptPresenter::set_themes(const UiTheme& ui, const CueTheme& cues) {
 void AttemptPresenter::look(CameraPreset preset) {
   preset_ = preset;
   for (SceneView* view : views_) view->look(preset);
+  if (preset != CameraPreset::kSide) return;
+  advice_.use(QStringLiteral("side"));
+  update_hints();
 }
 
 void AttemptPresenter::look_next() {
@@ -285,6 +288,7 @@ void AttemptPresenter::update_hints() {
   ControlHints hints;
   if (control_->running() && hand_.is_led())
     hints = advice_.hints(is_test(), std::any_of(card_.objects.begin(), card_.objects.end(), can_be_pierced));
+  hints.side &= preset_ != CameraPreset::kSide;
   for (SceneView* view : views_) view->set_control_hints(hints);
 }
 

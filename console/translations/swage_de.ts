@@ -4349,6 +4349,10 @@ Bea L., Frühjahr, links</translation>
         <source>No bent needle is at the tips that could be driven</source>
         <translation>An den Spitzen ist keine gebogene Nadel, die man führen könnte</translation>
     </message>
+    <message>
+        <source>F11: look from the side, where keys go along the needle</source>
+        <translation>F11: von der Seite sehen, wo die Tasten der Nadel folgen</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneView</name>

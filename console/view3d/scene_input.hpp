@@ -23,6 +23,7 @@ namespace swage::console {
 struct ControlHints {
   bool drag = false, close = false, drive = false, open = false;  // until the control was used once
   bool put_back = false;                                         // for a dropped object, and a bent needle
+  bool side = false;                                             // until a needle was seen from the side once
   bool operator==(const ControlHints&) const = default;
 };
 

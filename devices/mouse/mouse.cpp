@@ -51,6 +51,8 @@ void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
 
 void Mouse::look(const Sight& sight) {
   felt_ = {};
+  // of several hands one without a grasp of its own, as of scissors, must not give way to what another one holds
+  const bool own = params().hands < 2 || !params().grasp.empty();
   double left = 0, right = 0, moment = 0;
   for (const Grasp& grasp : grasps_) {
     felt_.grip = std::max(felt_.grip, sight.view().signal(grasp.force));
@@ -59,6 +61,7 @@ void Mouse::look(const Sight& sight) {
     right = std::max(right, sight.view().signal(grasp.right));
     if (grasp.roll_moment.valid()) moment += sight.view().signal(grasp.roll_moment);
   }
+  if (!own) return;
   constexpr double kTouch = 1e-3;  // N, from which a hand feels a touch: noise of the contact must not turn it
   if (left + right >= kTouch) felt_.lever = moment / (left + right);
   constexpr double kFelt = 0.5;  // of the other jaw's force: below it one jaw is felt to push; at 1 a firm grip would wander

@@ -109,5 +109,15 @@ TEST(AttemptAdvice, AControlIsToldUntilItWasUsedOnceInAnyAttempt) {
   EXPECT_FALSE(advice.hints(false, true).drag) << "what was used stays known";
 }
 
+// From aside keys lead to the needle only two or three at a time.
+TEST(AttemptAdvice, TheViewFromTheSideIsToldWhereANeedleIsDriven) {
+  AttemptAdvice advice;
+  EXPECT_TRUE(advice.hints(false, true).side);
+  EXPECT_TRUE(advice.hints(true, true).side) << "a view is no answer of a test";
+  EXPECT_FALSE(advice.hints(false, false).side) << "nothing can be pierced";
+  advice.use("side");
+  EXPECT_FALSE(advice.hints(false, true).side);
+}
+
 }  // namespace
 }  // namespace swage::console

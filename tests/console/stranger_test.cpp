@@ -13,6 +13,7 @@
 #include "console/app/help_dialog.hpp"
 #include "console/app/language.hpp"
 #include "console/cues/theme_words.hpp"
+#include "console/models/metric_titles.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"

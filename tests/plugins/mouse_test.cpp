@@ -3,6 +3,10 @@
 // The mouse: directions of every axis seen in the view, speeds, jaw, smoothing, and the plugin without a pointer.
 #include "mouse/mouse_hand.hpp"
 
+#include <swage/abi/sight.h>
+
+#include <cstring>
+
 #include "stage.hpp"
 
 namespace swage::mouse {
@@ -405,6 +409,55 @@ TEST(Mouse, TabHandsOverAndTheOtherToolStaysAndHolds) {
 TEST(Mouse, AloneItDoesNotHearTab) {
   stage::Stage stage("swage.device.mouse");
   EXPECT_LT(stage.configure({{"hand", 2}}), 0) << "there is one hand";
+}
+
+// The grasp's signals: its jaws press with 0.5 N each, at places along their width that differ by 0.4 mm.
+swage_sample closed_on_an_oblique_wire(const stage::Params& params) {
+  stage::Stage stage("swage.device.mouse");
+  const swage_host_pointer table{[](const swage_host*) -> const swage_pointer* { return &g_pointer; }};
+  stage.pointer_table = &table;
+  EXPECT_EQ(stage.configure(params), SWAGE_OK);
+  const auto text = [](const char* s) { return swage_str{s, std::strlen(s)}; };
+  std::vector<swage_scene_signal> signals;
+  for (const char* id : {"grasp.force", "grasp.left", "grasp.right", "grasp.roll_moment"}) signals.push_back({text("grasp"), text(id), text("N")});
+  swage_scene_card scene{};
+  scene.struct_size = sizeof scene;
+  scene.n_signal = static_cast<uint32_t>(signals.size());
+  scene.signal = signals.data();
+  const swage_sight_card card{sizeof card, 0, &scene, nullptr};
+  const auto& sight = stage.table<swage_device_sight>(SWAGE_EXT_SIGHT);
+  EXPECT_EQ(sight.bind(stage.raw(), &card), SWAGE_OK);
+  EXPECT_EQ(stage.activate(), SWAGE_OK);
+  const auto& device = stage.table<swage_device>(SWAGE_EXT_DEVICE);
+  EXPECT_EQ(device.open(stage.raw()), SWAGE_OK);
+  stage.on_rt();
+  g_pointer = still();
+  g_pointer.keys = kSpace;
+  const double values[] = {0.5, 0.5, 0.5, 0.5 * 0.4e-3};
+  swage_view view{};
+  view.struct_size = sizeof view;
+  view.n_signal = 4;
+  view.signal = values;
+  const swage_sight seen{sizeof seen, 0, &view, nullptr};
+  swage_command command{};
+  swage_sample sample{};
+  for (int i = 0; i < 20; ++i) {
+    command.time_s = i * 1e-3;
+    EXPECT_EQ(sight.look(stage.raw(), &seen), SWAGE_OK);
+    EXPECT_EQ(device.exchange(stage.raw(), &command, &sample), SWAGE_OK);
+  }
+  return sample;
+}
+
+TEST(Mouse, GivesWayToItsOwnGraspAlone) {
+  const auto rolled = [](const swage_sample& s, const swage_sample& without) {
+    return toolkit::log_rotation(toolkit::quat(without.pose.q).conjugate() * toolkit::quat(s.pose.q)).x();
+  };
+  const swage_sample alone = closed_on_an_oblique_wire({}), never = closed_on_an_oblique_wire({{"give_turn", 0}});
+  EXPECT_NEAR(rolled(alone, never), 19e-3 * Speeds{}.give_turn, 1e-9) << "full speed from a lever of 0.1 mm on";
+  EXPECT_EQ(rolled(never, never), 0);
+  EXPECT_NEAR(rolled(closed_on_an_oblique_wire({{"hands", 2}, {"grasp", std::string("grasp")}}), never), 19e-3 * Speeds{}.give_turn, 1e-9);
+  EXPECT_EQ(rolled(closed_on_an_oblique_wire({{"hands", 2}}), never), 0) << "scissors beside a holder that grips";
 }
 
 TEST(Mouse, RefusesAStartWithoutDirection) {
