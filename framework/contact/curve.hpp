@@ -233,14 +233,18 @@ class ArcCurve {
   static bool monotone(const ToLine& g, Place from, Place to) {
     return g.curvature(from) + g.curvature(to) >= third(g) * angle(from, to);
   }
+  /// A place, and slope and curvature of g there.
+  struct Known {
+    Place at;
+    double slope, curvature;
+  };
   static double third(const ToLine& g) { return std::abs(g.kx) + std::abs(g.ky) + std::abs(g.ku) + 2 * g.R; }
   /// Upper bound of the angle between two places up to a quarter turn apart [rad].
   static double angle(Place from, Place to) {
     const double dc = to.c - from.c, ds = to.s - from.s;
     return 1.12 * std::sqrt(dc * dc + ds * ds);
   }
-  static bool search_sign(const ToLine& g, Place from, Place to, double slope_from, double slope_to,
-                          double sign, double level, Place& found);
+  static bool search_sign(const ToLine& g, const Known& from, const Known& to, double sign, double level, double third, Place& found);
 
   /// h0 + A cos(angle - phi) = 0 at angle = phi -+ acos(-h0 / A).
   static Place crossing(const Height& h, Place from, Place to, double upward) {
@@ -271,7 +275,8 @@ void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, d
   const auto part_until = [&](Place end, double slope_end) {
     const double sign = slope < -level ? 1 : -1;  // the sign that is missing at the start
     Place found;
-    if (sign * slope_end <= level && search_sign(g, start, end, slope, slope_end, sign, level, found))
+    if (sign * slope_end <= level &&
+        search_sign(g, {start, slope, g.curvature(start)}, {end, slope_end, g.curvature(end)}, sign, level, third(g), found))
       out.add(found);
     start = end, slope = slope_end;
   };
@@ -294,19 +299,21 @@ void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, d
 
 /// Finds a place where the slope has the given sign, by bisection; none where bounds on its derivatives show that the slope is
 /// monotone or stays away from zero. Extrema less than 1e-3 rad apart (depths within 0.1 nm) count as a level inflection.
-inline bool ArcCurve::search_sign(const ToLine& g, Place from, Place to, double slope_from, double slope_to,
-                                  double sign, double level, Place& found) {
-  const double turned = angle(from, to);
-  if (turned < 1e-3 || monotone(g, from, to)) return false;
-  if (-sign * (slope_from + slope_to) >= 2 * third(g) * turned) return false;
-  const Turn middle = Turn::along(from.c + to.c, from.s + to.s, from);
-  const double slope = g.slope(middle);
-  if (sign * slope > level) {
-    found = middle;
+inline bool ArcCurve::search_sign(const ToLine& g, const Known& from, const Known& to, double sign, double level, double third,
+                                  Place& found) {
+  const double turned = angle(from.at, to.at);
+  if (turned < 1e-3 || from.curvature + to.curvature >= third * turned) return false;
+  if (-sign * (from.slope + to.slope) >= 2 * third * turned) return false;
+  // the chord between the two slopes is off by an eighth of the bound times the square of the angle at most
+  if (std::min(-sign * from.slope, -sign * to.slope) >= 0.125 * third * turned * turned) return false;
+  Known middle{Turn::along(from.at.c + to.at.c, from.at.s + to.at.s, from.at), 0, 0};
+  middle.slope = g.slope(middle.at);
+  if (sign * middle.slope > level) {
+    found = middle.at;
     return true;
   }
-  return search_sign(g, from, middle, slope_from, slope, sign, level, found) ||
-         search_sign(g, middle, to, slope, slope_to, sign, level, found);
+  middle.curvature = g.curvature(middle.at);
+  return search_sign(g, from, middle, sign, level, third, found) || search_sign(g, middle, to, sign, level, third, found);
 }
 
 }  // namespace swage::contact

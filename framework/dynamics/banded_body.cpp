@@ -50,8 +50,11 @@ bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
     if (!finite(gradient_.data(), unknowns())) return false;
     hold();
     take_factors();
-    if (!factors_.factor()) continue;  // also for NaN; the next A is stiffer
-    for (uint32_t i = 0; i < unknowns(); ++i) free_[i] = -gradient_[i];
+    if (!factors_.factor()) {  // the next A is stiffer
+      if (!object.stiffness_is_sound(A_.column(0))) return false;
+      continue;
+    }
+    line(free_.data()) = -line(gradient_.data());
     solve(free_.data());
     has_blocks_ = false;
     std::fill(column_from_.begin(), column_from_.end(), vertices_);
@@ -102,9 +105,10 @@ void BandedBody::take_factors() noexcept {
 /// Solves in place. Leading zeros of x stay 0 and are skipped.
 void BandedBody::solve(double* x) const noexcept {
   const auto n = static_cast<int>(unknowns());
-  const auto at = [&](int i) { return x[from_last_ ? n - 1 - i : i]; };
+  const int way = from_last_ ? -1 : 1;
+  const double* at = from_last_ ? x + n - 1 : x;
   int first = 0;
-  while (first < n && at(first) == 0) ++first;
+  for (; first < n && *at == 0; ++first) at += way;
   if (first == n) return;
   from_last_ ? factors_.solve_reversed(x, first) : factors_.solve(x, first);
 }
@@ -159,9 +163,7 @@ void BandedBody::add_stiffness(BandedBlocks& H, uint32_t first, bool symmetric) 
     }
 }
 
-void BandedBody::go(const double* d) noexcept {
-  for (uint32_t i = 0; i < unknowns(); ++i) q_[i] += d[i];
-}
+void BandedBody::go(const double* d) noexcept { line(q_.data()) += line(d); }
 
 bool BandedBody::release() noexcept {
   if (q_ == free_) return false;
@@ -170,13 +172,13 @@ bool BandedBody::release() noexcept {
 }
 
 void BandedBody::residual(const double* d, double* F) const noexcept {
-  for (uint32_t i = 0; i < unknowns(); ++i) line_[i] = q_[i] + d[i];
+  line(line_.data()) = line(q_.data()) + line(d);
   A_.multiply(line_.data(), F);
-  for (uint32_t i = 0; i < unknowns(); ++i) F[i] += gradient_[i];
+  line(F) += line(gradient_.data());
 }
 
 void BandedBody::to_free(double* d) const noexcept {
-  for (uint32_t i = 0; i < unknowns(); ++i) d[i] = free_[i] - q_[i];
+  line(d) = line(free_.data()) - line(q_.data());
 }
 
 double BandedBody::merit(const double* F) const noexcept {

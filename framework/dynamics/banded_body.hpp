@@ -74,6 +74,9 @@ class BandedBody {
  private:
   using Matrix = toolkit::Band<10>;
   static toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn, const double* q) noexcept;
+  /// All unknowns at once, two in a register.
+  Eigen::Map<Eigen::VectorXd> line(double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
+  Eigen::Map<const Eigen::VectorXd> line(const double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
   void hold() noexcept;
   void take_factors() noexcept;
   void solve(double* x) const noexcept;

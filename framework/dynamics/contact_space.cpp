@@ -28,6 +28,7 @@ ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32
   W_.resize(n * n);
   for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &line_}) v->resize(n);
   Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints + 1);
+  products_.resize(size_t{2} * 12 * max_constraints);
   of_block_.resize(std::max(max_of_bands, 6u));
   arm_.reserve(size_t{2} * max_constraints);
   drive_.resize(max_hinges);
@@ -252,7 +253,7 @@ void ContactSpace::go(uint32_t block, const double* z, double* d) noexcept {
   apply_inverse_mass(block, z + n_, d);
   double* to_free = of_block_.data();
   m.to_free(to_free);
-  for (uint32_t u = 0; u < m.size; ++u) d[u] += to_free[u];
+  Line(d, m.size) += ConstLine(to_free, m.size);
 }
 
 void ContactSpace::finish(const double* z, double* d) noexcept {

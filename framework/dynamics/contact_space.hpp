@@ -88,6 +88,7 @@ class ContactSpace final : public Space {
   std::vector<double> F_, line_;
   std::vector<double> of_block_;  // work space: the unknowns of one block
   std::vector<Vec3> Jt_, Minv_Jt_;  // of the present block, per side and unknown: columns of J' and A^-1 J'
+  std::vector<double> products_;    // of the present side with those before it, 12 numbers each
   std::vector<JacobianBlock> arm_;
   std::vector<const DofBlock*> hinge_;
 };

@@ -10,19 +10,24 @@
 namespace swage::dynamics {
 namespace {
 
-/// W = sum of J[u] M[u]' over the unknowns u, by rows of four numbers, of which the last means nothing. M: readable one number beyond.
+constexpr size_t kPair = 12;  // numbers of the product of two sides: three rows of four, of which the last means nothing
+
+/// W = sum of J[u] M[u]' over the unknowns u, for a side with J and each of `sides` with M one after the other. M: readable one number
+/// beyond.
 template <class V>
-[[gnu::always_inline]] inline void multiply_sides(uint32_t size, const Vec3* J, const Vec3* M, double* W) noexcept {
-  toolkit::Line<V, 4> row[3] = {};
-  for (uint32_t u = 0; u < size; ++u) {
-    toolkit::Line<V, 4> m;
-    m.load(M[u].data());
-    for (int i = 0; i < 3; ++i) row[i].add(J[u][i], m);
+[[gnu::always_inline]] inline void multiply_sides(uint32_t size, const Vec3* J, const Vec3* M, size_t sides, double* W) noexcept {
+  for (size_t q = 0; q < sides; ++q, M += size, W += kPair) {
+    toolkit::Line<V, 4> x = {}, y = {}, z = {};
+    for (uint32_t u = 0; u < size; ++u) {
+      toolkit::Line<V, 4> m;
+      m.load(M[u].data());
+      x.add(J[u][0], m), y.add(J[u][1], m), z.add(J[u][2], m);
+    }
+    x.store(W), y.store(W + 4), z.store(W + 8);
   }
-  for (int i = 0; i < 3; ++i) row[i].store(W + 4 * i);
 }
-SWAGE_FOURS void multiply_sides_by_fours(uint32_t size, const Vec3* J, const Vec3* M, double* W) noexcept {
-  multiply_sides<toolkit::Fours>(size, J, M, W);
+SWAGE_FOURS void multiply_sides_by_fours(uint32_t size, const Vec3* J, const Vec3* M, size_t sides, double* W) noexcept {
+  size == 6 ? multiply_sides<toolkit::Fours>(6, J, M, sides, W) : multiply_sides<toolkit::Fours>(size, J, M, sides, W);
 }
 
 }  // namespace
@@ -110,17 +115,18 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
       for (uint32_t u = 0; u < size; ++u) turn[u][i] = d[u];
     }
     for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
+    double* const products = products_.data();
+    toolkit::has_fours() ? multiply_sides_by_fours(size, Jt, Minv_Jt_.data(), p + 1, products)
+                         : multiply_sides<toolkit::Twos>(size, Jt, Minv_Jt_.data(), p + 1, products);
+    double* const of_a = line(3 * a.constraint);
     for (size_t q = 0; q <= p; ++q) {
-      const JacobianBlock& b = arm_[q];
-      double W_ab[12];
-      toolkit::has_fours() ? multiply_sides_by_fours(size, Jt, &Minv_Jt_[size * q], W_ab)
-                           : multiply_sides<toolkit::Twos>(size, Jt, &Minv_Jt_[size * q], W_ab);
+      const double* W_ab = products + kPair * q;
+      double *to = of_a + 3 * arm_[q].constraint, *back = line(3 * arm_[q].constraint) + 3 * a.constraint;
       for (size_t i = 0; i < 3; ++i)
-        for (size_t k = 0; k < 3; ++k) {
-          const double w = W_ab[4 * i + k];
-          line(3 * a.constraint + i)[3 * b.constraint + k] += w;
-          if (p != q) line(3 * b.constraint + k)[3 * a.constraint + i] += w;
-        }
+        for (size_t k = 0; k < 3; ++k) to[i * n_ + k] += W_ab[4 * i + k];
+      if (p == q) continue;
+      for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < 3; ++i) back[k * n_ + i] += W_ab[4 * i + k];
     }
   }
   if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);

@@ -48,6 +48,9 @@ class FlexibleBody {
   /// True when its one chain is a band (swage/abi/band.h): linearise and displace take the places of mobility and apply_impulses.
   virtual bool banded() const noexcept { return false; }
   virtual bool linearise(uint32_t /*stiffer*/, double* /*stiffness*/, double* /*gradient*/) noexcept { return false; }
+  /// Asked where that stiffness could not be factored. False: its numbers are not finite, and the object has failed. A matrix with
+  /// such numbers is never factored: each of them makes a pivot that is not above zero.
+  virtual bool stiffness_is_sound(const double* /*stiffness*/) noexcept { return true; }
   virtual void displace(const double* /*change*/, std::span<const swage_contact_point> /*point*/,
                         const double* /*impulse*/) noexcept {}
 };

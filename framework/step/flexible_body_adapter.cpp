@@ -77,10 +77,11 @@ bool FlexibleBodyAdapter::linearise(uint32_t stiffer, double* stiffness, double*
   const bool given = host::guarded(instance, host::Call::kLinearise, view_.step, [&] {
     return band_->linearise(instance.raw, &view_, stiffer, stiffness, gradient);
   });
-  return given &&
-         host::accept(instance, host::Call::kLinearise, view_.step, stiffness,
-                      std::size_t{unknowns_} * SWAGE_BAND_COLUMN, kAnyNumber) &&
-         host::accept(instance, host::Call::kLinearise, view_.step, gradient, unknowns_, kAnyNumber);
+  return given && host::accept(instance, host::Call::kLinearise, view_.step, gradient, unknowns_, kAnyNumber);
+}
+
+bool FlexibleBodyAdapter::stiffness_is_sound(const double* stiffness) noexcept {
+  return host::accept(*slot_.instance, host::Call::kLinearise, view_.step, stiffness, std::size_t{unknowns_} * SWAGE_BAND_COLUMN, kAnyNumber);
 }
 
 void FlexibleBodyAdapter::displace(const double* change, std::span<const swage_contact_point> point,

@@ -28,6 +28,7 @@ class FlexibleBodyAdapter final : public dynamics::FlexibleBody {
   void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
   bool banded() const noexcept override { return band_ != nullptr; }
   bool linearise(uint32_t stiffer, double* stiffness, double* gradient) noexcept override;
+  bool stiffness_is_sound(const double* stiffness) noexcept override;
   void displace(const double* change, std::span<const swage_contact_point> point,
                 const double* impulse) noexcept override;
 

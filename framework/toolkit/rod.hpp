@@ -241,6 +241,9 @@ class Rod {
   }
   void add_pushed(const RodFluid& fluid);
   void add_springs(const RodLoad& load);
+  template <class V>
+  [[gnu::always_inline]] inline void add_inertia(V v, const RodState& s, const RodLoad& load, double* hessian);
+  SWAGE_FOURS void add_inertia_by_fours(const RodState& s, const RodLoad& load, double* hessian) { add_inertia(Fours{}, s, load, hessian); }
   void system(const RodState& s, const RodLoad& load, double* hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns);
   void shift_diagonal(int stiffer, double* columns);

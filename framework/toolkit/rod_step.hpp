@@ -48,37 +48,69 @@ inline void Rod::begin_linear(const RodState& s) {
   std::fill(turned_.begin(), turned_.end(), 0.0);
 }
 
+/// The part of inertia, drag, weight and loads in the gradient and in the Hessian, node by node: in the gradient the three directions side
+/// by side in a register of four, whose fourth number is left alone, or one after the other.
+template <class V>
+[[gnu::always_inline]] inline void Rod::add_inertia(V, const RodState& s, const RodLoad& load, double* hessian) {
+  const double fluid = load.fluid.density * std::numbers::pi * section_.radius * section_.radius;  // kg/m
+  const double borne = section_.mass > 0 ? 1 - fluid / section_.mass : 1;
+  const double gravity[4] = {load.gravity[0], load.gravity[1], load.gravity[2], 0};
+  const double* force = load.force.empty() ? nullptr : load.force.data();
+  for (int i = 0; i < n_; ++i) {
+    const double m = mass_[at(i)], w = m * m_hh_, weight = borne * m;
+    const double *D = drag_.data() + 6 * i, *x = s.x + 3 * i, *x0 = x0_.data() + 3 * i, *hat = hat_.data() + 3 * i;
+    const double* pushed = pushed_.data() + 3 * i;
+    double* g = gradient_.data() + 4 * i;
+    if constexpr (V::n == 4) {
+      if (i + 1 < n_) {  // what is read beyond the three numbers of the node is that of the next
+        V at_x, at_x0, at_hat, at_pushed, G, low, high, F;
+        at_x.load(x), at_x0.load(x0), at_hat.load(hat), at_pushed.load(pushed), G.load(gravity), low.load(D), high.load(D + 2);
+        const Four d = at_x.x - at_x0.x, a = low.x, b = high.x;
+        F.x = w * (at_x.x - at_hat.x) - weight * G.x;
+        F.x += a * __builtin_shufflevector(d, d, 0, 0, 0, 0);
+        F.x += __builtin_shufflevector(a, b, 1, 3, 6, 6) * __builtin_shufflevector(d, d, 1, 1, 1, 1);
+        F.x += __builtin_shufflevector(b, b, 0, 2, 3, 3) * __builtin_shufflevector(d, d, 2, 2, 2, 2);
+        if (force != nullptr) {
+          V f;
+          f.load(force + 3 * i);
+          F.x -= f.x;
+        }
+        F.x -= at_pushed.x;
+        V now;
+        now.load(g);
+        F.x = __builtin_shufflevector(now.x + F.x, now.x, 0, 1, 2, 7);
+        F.store(g);
+      }
+    }
+    if (V::n != 4 || i + 1 == n_) {
+      const double DD[3][3] = {{D[0], D[1], D[2]}, {D[1], D[3], D[4]}, {D[2], D[4], D[5]}};
+      for (int r = 0; r < 3; ++r) {
+        double F = w * (x[r] - hat[r]) - weight * gravity[r];
+        for (int c = 0; c < 3; ++c) F += DD[r][c] * (x[c] - x0[c]);
+        if (force != nullptr) F -= force[3 * i + r];
+        F -= pushed[r];
+        g[r] += F;
+      }
+    }
+    if (hessian == nullptr) continue;
+    double *X = column(hessian, 4 * i), *Y = column(hessian, 4 * i + 1), *Z = column(hessian, 4 * i + 2);
+    X[0] += w, X[0] += D[0], X[1] += D[1], X[2] += D[2];
+    Y[0] += w, Y[0] += D[3], Y[1] += D[4];
+    Z[0] += w, Z[0] += D[5];
+  }
+}
+
 /// Gradient of the step's potential and, when asked for, its Hessian.
 [[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, double* hessian) {
   way_ = -1;
   differentiate_into(s, gradient_.data(), hessian);
-  const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
-                                                   section_.radius / section_.mass
-                                         : 1;
-  for (int i = 0; i < n_; ++i) {
-    const double m = mass_[at(i)], w = m * m_hh_;
-    const double* D = drag_.data() + 6 * i;
-    const double DD[3][3] = {{D[0], D[1], D[2]}, {D[1], D[3], D[4]}, {D[2], D[4], D[5]}};
-    for (int r = 0; r < 3; ++r) {
-      const int k = 3 * i + r;
-      double F = w * (s.x[k] - hat_[at(k)]) - borne * m * load.gravity[r];
-      for (int c = 0; c < 3; ++c) F += DD[r][c] * (s.x[3 * i + c] - x0_[at(3 * i + c)]);
-      if (!load.force.empty()) F -= load.force[at(k)];
-      F -= pushed_[at(k)];
-      gradient_[at(4 * i + r)] += F;
-    }
-    if (!hessian) continue;
-    double *x = column(hessian, 4 * i), *y = column(hessian, 4 * i + 1), *z = column(hessian, 4 * i + 2);
-    x[0] += w, x[0] += D[0], x[1] += D[1], x[2] += D[2];
-    y[0] += w, y[0] += D[3], y[1] += D[4];
-    z[0] += w, z[0] += D[5];
-  }
+  has_fours() ? add_inertia_by_fours(s, load, hessian) : add_inertia(Ones{}, s, load, hessian);
+  const double inertia = 0.5 * section_.mass;  // kg/m, times the square of the radius
   for (int j = 0; j < edges(); ++j) {
     const double L = rest_[at(j)], k = section_.twisting / L;
     double& F = gradient_[at(4 * j + 3)];
     // statics: torque-free edges are held by a billionth of their stiffness, in the Hessian alone
-    const double I =
-        load.h > 0 ? 0.5 * section_.mass * L * section_.radius * section_.radius * m_hh_ : 1e-9 * k;
+    const double I = load.h > 0 ? inertia * L * section_.radius * section_.radius * m_hh_ : 1e-9 * k;
     if (load.h > 0) F += I * turned_[at(j)];
     if (!load.torque.empty()) F -= load.torque[at(j)];
     if (hessian) *column(hessian, 4 * j + 3) += k > 0 ? I : 1.0;
@@ -217,14 +249,12 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
 /// T = 2 EI / l^2 the tilt would be amplified.
 [[gnu::flatten]] inline bool Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
   if (load.h == 0) return true;
-  for (int k = 0; k < unknowns(); ++k) {
-    const int i = k / 4, at_k = 3 * i + k % 4;
-    if (k % 4 == 3) {
-      change_[at(k)] = 0;
-      continue;
-    }
+  for (int i = 0; i < n_; ++i) {
+    const double* v = s.v + 3 * i;
+    double* d = change_.data() + 4 * i;
     const bool inner = i > 0 && i < n_ - 1 && held_[at(i)] == 0;
-    change_[at(k)] = load.h * (inner ? 0.25 * (s.v[at_k - 3] + s.v[at_k + 3]) + 0.5 * s.v[at_k] : s.v[at_k]);
+    for (int r = 0; r < 3; ++r) d[r] = load.h * (inner ? 0.25 * (v[r - 3] + v[r + 3]) + 0.5 * v[r] : v[r]);
+    if (i < n_ - 1) d[3] = 0;
   }
   bool far = bounded(s) < 1;
   for (int j = 0; j < edges() && !far; ++j) {
@@ -307,9 +337,10 @@ inline void Rod::linearise(const RodState& s, const RodLoad& load, int stiffer, 
   }
   way_ = stiffer;
   if (kept) std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);
-  for (int k = 0; k < unknowns(); ++k) {
-    gradient[k] = gradient_[at(k)];
-    if (k % 4 == 3 ? turn_held_[at(k / 4)] != 0 : held_[at(k / 4)] != 0) columns[at(k) * Matrix::kStride] = 0;
+  std::copy_n(gradient_.data(), unknowns(), gradient);
+  for (int i = 0; i < n_; ++i) {
+    for (int r = 0; held_[at(i)] != 0 && r < 3; ++r) *column(columns, 4 * i + r) = 0;
+    if (i < edges() && turn_held_[at(i)] != 0) *column(columns, 4 * i + 3) = 0;
   }
 }
 

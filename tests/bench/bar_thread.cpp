@@ -2,16 +2,13 @@
 //
 // A thread: what its step costs beside ODE's exact grasp step, how far off the exact elastica it hangs, and what a whole loop costs with
 // needle and jaws.
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 #include "bar.hpp"
 #include "held_thread.hpp"
 #include "ode_grasp_step.hpp"
 #include "phases.hpp"
-#include "run_lesson.hpp"
-#include "test_places.hpp"
+#include "thread_loop.hpp"
 #include "timing.hpp"
 
 namespace swage::bench {
@@ -65,27 +62,10 @@ Hanging hangs(int edges) {
   return {(s.node(edges) / length - exact).norm(), times(ns).median};
 }
 
-void set(assembly::LessonFile& file, const char* object, const char* param, const nlohmann::json& value) {
-  for (assembly::LessonObject& o : file.objects) {
-    if (o.name != object) continue;
-    auto params = nlohmann::json::parse(o.params);
-    params[param] = value;
-    o.params = params.dump();
-  }
-}
-/// Without the tray, and without contact of the thread with the tissue: nothing touches it but needle and jaws.
-void leave_thread_alone(assembly::LessonFile& file) {
-  std::erase_if(file.couplings, [](const auto& c) { return c.a == "tray" || (c.a == "tissue" && c.b == "suture"); });
-  std::erase_if(file.objects, [](const auto& o) { return o.name == "tray"; });
-}
-
 /// Lesson 117 with a thread of 99 segments: processor time of the steps in which `counts` holds.
 std::vector<double> loop(const char* level, bool (*counts)(const stage::LessonRun&), bool alone = false) {
-  stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/117_needle_with_thread.json", assembly::Overrides{"expert", ""},
-                       [&](assembly::LessonFile& file) {
-                         set(file, "needle", "level", level), set(file, "suture", "segments", 99);
-                         if (alone) leave_thread_alone(file);
-                       });
+  const auto lesson = thread_loop(level, alone);
+  stage::LessonRun& run = *lesson;
   std::vector<double> ns;
   if (!run.ready()) return ns;
   while (run.verdict().outcome == judge::Outcome::kRunning && run.world().time() < 60) {
@@ -96,7 +76,6 @@ std::vector<double> loop(const char* level, bool (*counts)(const stage::LessonRu
   }
   return ns;
 }
-bool carried(const stage::LessonRun& run) { return in_jaws(run) && !inserted(run); }
 
 /// Steps of runs that are the same, each at its median over the runs.
 Times typical(const std::vector<std::vector<double>>& runs) {

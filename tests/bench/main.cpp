@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage-bench charts|stability|bar|knots: what Swage reaches, what its peers reach in the same run, and where both break.
+// swage-bench charts|stability|bar|knots|count: what Swage reaches, what its peers reach in the same run, and where both break.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +9,7 @@
 
 #include "bar.hpp"
 #include "charts.hpp"
+#include "counted.hpp"
 #include "knots.hpp"
 #include "stability.hpp"
 #include "thesis_tables.hpp"
@@ -186,6 +187,11 @@ int main(int argc, char** argv) {
   knots->add_flag("--quick", knots_wanted.quick, "one pretension, three frictions");
   knots->add_option("--pretensions", knots_wanted.pretensions, "N, with which they are drawn tight");
   knots->add_option("--frictions", knots_wanted.frictions, "of thread on thread");
+  CountWanted count_wanted;
+  auto* count = app.add_subcommand("count", "how much the steps of one scene take, in directions and multiply-adds, and a hash of its steps");
+  count->add_option("--scene", count_wanted.scene, "one of " + count_scenes())->required();
+  count->add_option("--every", count_wanted.every, "of so many steps one goes through counted_step(), for callgrind")->capture_default_str();
+  count->add_option("--list", count_wanted.list, "file with a line a step");
   CLI11_PARSE(app, argc, argv);
   knots_wanted.command = "swage-bench";
   for (int i = 1; i < argc; ++i) {
@@ -197,6 +203,7 @@ int main(int argc, char** argv) {
   try {
     if (*charts) return run_charts(charts_out, quick, only);
     if (*stability) return run_stability(scenes, out, quick, only);
+    if (*count) return run_count(count_wanted);
     if (*knots) return run_knots(knots_wanted) > 0 ? 1 : 0;
     return run_bar(quick, as_json, only);
   } catch (const std::exception& e) {
