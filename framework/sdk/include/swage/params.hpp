@@ -159,6 +159,24 @@ constexpr Field text_field(const char* id, const char* label, const char* doc) {
   return field;
 }
 
+// A consteval function cannot hand its arguments on to another one (clang), to a constexpr one it can.
+template <auto Member>
+constexpr Field vector_field(const char* id, const char* label, const char* unit, const char* display_unit, double min, double max, const char* doc) {
+  using M = MemberOf<Member>;
+  static_assert(HasComponents<typename M::Type>, "swage::vector needs a std::array<double, 2..4> or a swage_vec3; swage::interval a swage::Interval");
+  using C = Components<typename M::Type>;
+  Field field{new_param(SWAGE_PARAM_VECTOR, id, label, doc), nullptr, nullptr};
+  set_range(field.param, unit, display_unit, min, max);
+  field.param.dimension = C::count;
+  field.assign = [](void* p, const swage_value& v) {
+    for (uint32_t i = 0; i < C::count; ++i) C::of(M::in(p))[i] = v.number[i];
+  };
+  field.read = [](const void* p, double n[4], const char**) {
+    for (uint32_t i = 0; i < C::count; ++i) n[i] = C::of(M::in(p))[i];
+  };
+  return field;
+}
+
 }  // namespace detail
 
 /// A number with a unit; min and max are inclusive and SI. The member is a double.
@@ -236,21 +254,7 @@ consteval Field file(const char* id, const char* label, const char* doc) {
 template <auto Member>
 consteval Field vector(const char* id, const char* label, const char* unit, const char* display_unit,
                        double min, double max, const char* doc) {
-  using M = detail::MemberOf<Member>;
-  static_assert(
-      detail::HasComponents<typename M::Type>,
-      "swage::vector needs a std::array<double, 2..4> or a swage_vec3; swage::interval a swage::Interval");
-  using C = detail::Components<typename M::Type>;
-  Field field{detail::new_param(SWAGE_PARAM_VECTOR, id, label, doc), nullptr, nullptr};
-  detail::set_range(field.param, unit, display_unit, min, max);
-  field.param.dimension = C::count;
-  field.assign = [](void* p, const swage_value& v) {
-    for (uint32_t i = 0; i < C::count; ++i) C::of(M::in(p))[i] = v.number[i];
-  };
-  field.read = [](const void* p, double n[4], const char**) {
-    for (uint32_t i = 0; i < C::count; ++i) n[i] = C::of(M::in(p))[i];
-  };
-  return field;
+  return detail::vector_field<Member>(id, label, unit, display_unit, min, max, doc);
 }
 
 /// From low to high. The member is a swage::Interval.
@@ -259,7 +263,7 @@ consteval Field interval(const char* id, const char* label, const char* unit, co
                          double min, double max, const char* doc) {
   static_assert(std::same_as<typename detail::MemberOf<Member>::Type, Interval>,
                 "swage::interval needs a swage::Interval");
-  Field field = vector<Member>(id, label, unit, display_unit, min, max, doc);
+  Field field = detail::vector_field<Member>(id, label, unit, display_unit, min, max, doc);
   field.param.flags |= SWAGE_PARAM_INTERVAL;
   return field;
 }
