@@ -10,6 +10,7 @@
 
 #include "console/app/language.hpp"
 #include "console/models/course_next.hpp"
+#include "console/models/course_words.hpp"
 #include "console/report/group_report.hpp"
 #include "console/report/sheet.hpp"
 #include "window_fixture.hpp"
@@ -126,6 +127,20 @@ TEST(CourseNexts, CloseALessonUntilTheOneBeforeItIsPassed) {
   EXPECT_FALSE(closed({basic}).contains("carry")) << "it was passed before the course was assigned";
   own.push_back(attempt("grasp", "2026-03-04T12:00:00Z", true, 90));
   EXPECT_TRUE(closed({basic}).isEmpty());
+}
+
+TEST(CourseWords, OneIsNotToldAsSeveral) {
+  judge::PassRule rule;
+  rule.in_a_row = 1, rule.later_day = 0, rule.a_day = 0;
+  EXPECT_EQ(rule_words(rule), "Passed when one Test attempt meets everything that is asked.");
+  EXPECT_TRUE(rule_odds(rule)[2].endsWith("typically with the first attempt")) << rule_odds(rule)[2].toStdString();
+  rule.in_a_row = 3, rule.later_day = 1;
+  EXPECT_EQ(rule_words(rule), "Passed when 3 Test attempts in a row meet everything that is asked, and the first of a later day does so too.");
+  record::AttemptRow expert;
+  expert.outcome = "passed";
+  judge::Limit limit;
+  limit.metric = "time.task", limit.most = 5;
+  EXPECT_EQ(together_words({limit}, {&expert}), "0 of 1 expert attempts pass and meet the limit.");
 }
 
 TEST(GroupRows, WhoNeedsAttentionComesFirst) {

@@ -200,10 +200,8 @@ TEST_F(GermanWindow, FitsSmallScreens) {
   const auto* setup = page()->setup();
   for (const char* name : {"edit_lesson", "delete_lesson"}) child<QWidget>(name)->setVisible(true);
   QApplication::processEvents();
-  for (const char* name : {"make_variant", "person", "device", "demo", "edit_lesson", "delete_lesson"}) {
-    const auto* w = child<QWidget>(name);
-    EXPECT_LT(w->mapTo(setup, QPoint(w->width(), 0)).x(), setup->width()) << name;
-  }
+  for (const char* name : {"make_variant", "person", "device", "demo", "edit_lesson", "delete_lesson"})
+    EXPECT_LT(child<QWidget>(name)->mapTo(setup, QPoint(child<QWidget>(name)->width(), 0)).x(), setup->width()) << name;
   for (const console::Page& one : window->findChild<console::Pages*>()->all()) {
     window->show_page(one.id);
     EXPECT_LE(window->minimumSizeHint().width(), 960) << one.id.toStdString();

@@ -144,20 +144,6 @@ TEST_F(Desk, TypingATitleIsOneUndo) {
 
 // --- sentences about rules
 
-TEST(CourseWords, OneIsNotToldAsSeveral) {
-  judge::PassRule rule;
-  rule.in_a_row = 1, rule.later_day = 0, rule.a_day = 0;
-  EXPECT_EQ(rule_words(rule), "Passed when one Test attempt meets everything that is asked.");
-  EXPECT_TRUE(rule_odds(rule)[2].endsWith("typically with the first attempt")) << rule_odds(rule)[2].toStdString();
-  rule.in_a_row = 3, rule.later_day = 1;
-  EXPECT_EQ(rule_words(rule), "Passed when 3 Test attempts in a row meet everything that is asked, and the first of a later day does so too.");
-  record::AttemptRow expert;
-  expert.outcome = "passed";
-  judge::Limit limit;
-  limit.metric = "time.task", limit.most = 5;
-  EXPECT_EQ(together_words({limit}, {&expert}), "0 of 1 expert attempts pass and meet the limit.");
-}
-
 TEST(CourseWords, TheRuleAndItsOddsAreThoseOfTheReference) {
   QLocale::setDefault(QLocale::c());
   judge::PassRule rule;
