@@ -78,6 +78,7 @@ void ContactSpace::collect(uint32_t block) noexcept {
 /// Adds the mobility that the flexible body answered; its points already have the displacement `extra`.
 void ContactSpace::add_flexible(const DofBlock& block) noexcept {
   const PointMobility& own = block.own;
+  const size_t n = n_, stride = own.stride;  // not read again after each store
   for (size_t p = 0; p < arm_.size(); ++p) {
     const JacobianBlock& a = arm_[p];
     for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] -= a.sign * own.extra[3 * a.point + i];
@@ -89,9 +90,9 @@ void ContactSpace::add_flexible(const DofBlock& block) noexcept {
              *back = line(3 * b.constraint) + 3 * a.constraint;
       for (size_t i = 0; i < 3; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          const double w = s * from[i * own.stride + k];
-          to[i * n_ + k] += w;
-          if (p != q) back[k * n_ + i] += w;
+          const double w = s * from[i * stride + k];
+          to[i * n + k] += w;
+          if (p != q) back[k * n + i] += w;
         }
     }
   }
@@ -100,6 +101,7 @@ void ContactSpace::add_flexible(const DofBlock& block) noexcept {
 /// Adds J A^-1 J' of a rigid body, hinge or particle. The signs of the sides are in J.
 void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
   const uint32_t size = block.size;
+  const size_t n = n_;
   double to_free[6], F[6], d[6];
   block.to_free(to_free);
   for (size_t p = 0; p < arm_.size(); ++p) {
@@ -123,10 +125,10 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
       const double* W_ab = products + kPair * q;
       double *to = of_a + 3 * arm_[q].constraint, *back = line(3 * arm_[q].constraint) + 3 * a.constraint;
       for (size_t i = 0; i < 3; ++i)
-        for (size_t k = 0; k < 3; ++k) to[i * n_ + k] += W_ab[4 * i + k];
+        for (size_t k = 0; k < 3; ++k) to[i * n + k] += W_ab[4 * i + k];
       if (p == q) continue;
       for (size_t k = 0; k < 3; ++k)
-        for (size_t i = 0; i < 3; ++i) back[k * n_ + i] += W_ab[4 * i + k];
+        for (size_t i = 0; i < 3; ++i) back[k * n + i] += W_ab[4 * i + k];
     }
   }
   if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);

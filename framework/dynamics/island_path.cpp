@@ -59,14 +59,14 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool tu
   return hit;
 }
 
-/// Newton step to where F would vanish, halved while |F| does not fall. True when the whole step was taken.
-bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
-  const double now = far <= tolerance ? 0 : space_->merit();
+/// Newton step to where F would vanish, halved while |F| does not fall; whole where it is close. True when the whole step was taken.
+bool IslandSolver::whole_step(const Island& island, bool close) noexcept {
+  const double now = close ? 0 : space_->merit();
   double fraction = 1;
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);
     evaluate_pieces(island, trial_.data());
-    if (far <= tolerance || k == kTurnHalvings || space_->merit() <= now) break;
+    if (close || k == kTurnHalvings || space_->merit() <= now) break;
   }
   z_.swap(trial_);
   return fraction == 1;
@@ -92,6 +92,7 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
   for (Constraint& constraint : island.constraints) constraint.on = pieces(constraint, constraint.u);
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
+  double last = HUGE_VAL;  // m, the step before, where that met no kink
   const uint32_t steps = island.banded ? kBandedPathSteps : kPathSteps;
   for (uint32_t i = 0; i < steps; ++i) {
     if (over_budget() || !search_direction_on_pieces(island)) return false;
@@ -112,10 +113,11 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
       evaluate_pieces(island, z_.data());
     } else if (!down) {
       return false;  // no kink ahead: the path does not return
-    } else if (whole_step(island, far, tolerance) && far <= tolerance) {
+    } else if (whole_step(island, far <= tolerance || contracts(island, far, last, tolerance)) && far <= tolerance) {
       if (on_their_pieces(island, tolerance)) return true;
       evaluate_pieces(island, z_.data());
     }
+    last = passed == UINT32_MAX ? far : HUGE_VAL;
   }
   return false;
 }

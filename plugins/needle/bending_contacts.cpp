@@ -146,11 +146,9 @@ void Bending::mobility(const Step& step, std::span<const swage_contact_point> po
     put(free_velocity(a, step.dt()), v_free + 3 * a);
     for (int b = 0; b <= a; ++b) {
       const Mat3 block = mobility(touch_[at(a)], touch_[at(b)]);
+      double *to = W + 3 * at(a) * n + 3 * at(b), *back = W + 3 * at(b) * n + 3 * at(a);
       for (size_t i = 0; i < 3; ++i)
-        for (size_t k = 0; k < 3; ++k) {
-          const double w = block(static_cast<int>(i), static_cast<int>(k));
-          W[(3 * at(a) + i) * n + 3 * at(b) + k] = W[(3 * at(b) + k) * n + 3 * at(a) + i] = w;
-        }
+        for (size_t k = 0; k < 3; ++k) to[i * n + k] = back[k * n + i] = block(static_cast<int>(i), static_cast<int>(k));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "../knots/pull.hpp"
 #include "lesson_step.hpp"
 #include "phases.hpp"
 #include "thread_loop.hpp"
@@ -80,15 +81,39 @@ Counted count(LessonRun& run, bool one_of_those_counted) {
           run.engine().divided() - divided, now.work - before.work,     run.engine().contacts().contact.size()};
 }
 
+/// Knots that are pulled; what a step took is told phase by phase.
+struct CountKnot {
+  const char* name;
+  test::Word word;
+  double pretension;  // N
+};
+const CountKnot kCountKnots[] = {{"knot_square", {1, -1}, 30e-3}, {"knot_surgeon", {2, -1, 1}, 100e-3}};
+
+void count_knot(const CountKnot& knot) {
+  test::PullTest wanted;
+  wanted.word = knot.word, wanted.pretension = knot.pretension;
+  const test::PullResult r = test::pull(wanted);
+  std::printf("%s: %s, most %.6f mN, slip %.6f and %.6f um\n", knot.name, test::text(r.end), 1e3 * r.most, 1e6 * r.slip[0], 1e6 * r.slip[1]);
+  const std::pair<const char*, const test::PullPhase*> phases[] = {{"tighten", &r.tighten}, {"rest", &r.rest}, {"pull", &r.pull}};
+  for (const auto& [name, p] : phases)
+    std::printf("%-10s %6d steps, %6.2f search directions a step, %llu not converged, %d passages, %zu contacts that bear, a step %.3g ms, p99.9 %.3g, most %.3g\n",
+                name, p->steps, static_cast<double>(p->directions) / std::max(1, p->steps), static_cast<unsigned long long>(p->not_converged),
+                p->passages, p->bearing, 1e-3 * p->median_us, 1e-3 * p->p999_us, 1e-3 * p->most_us);
+}
+
 }  // namespace
 
 std::string count_scenes() {
   std::string all;
-  for (const CountScene& s : kScenes) all += (all.empty() ? "" : ", ") + std::string(s.name);
+  for (const CountKnot& k : kCountKnots) all += std::string(k.name) + ", ";
+  bool first = true;
+  for (const CountScene& s : kScenes) all += (first ? "" : ", ") + std::string(s.name), first = false;
   return all;
 }
 
 int run_count(const CountWanted& wanted) {
+  for (const CountKnot& k : kCountKnots)
+    if (k.name == wanted.scene) return count_knot(k), 0;
   const auto scene = std::find_if(std::begin(kScenes), std::end(kScenes), [&](const CountScene& s) { return s.name == wanted.scene; });
   if (scene == std::end(kScenes)) throw std::runtime_error("no scene \"" + wanted.scene + "\"; there are " + count_scenes());
   const auto run = scene->make();
@@ -111,7 +136,9 @@ int run_count(const CountWanted& wanted) {
   print("contacts", all, [](const Counted& c) { return c.contacts; });
   print("multiply-adds, solver", all, [](const Counted& c) { return c.work; });
   if (!wanted.list.empty()) write_list(wanted.list, all);
-  return 0;
+  const bool more = std::any_of(all.begin(), all.end(), [&](const Counted& c) { return wanted.most > 0 && c.directions > static_cast<uint64_t>(wanted.most); });
+  if (more) std::printf("a step takes more than %d search directions\n", wanted.most);
+  return more ? 1 : 0;
 }
 
 }  // namespace swage::bench

@@ -191,6 +191,7 @@ int main(int argc, char** argv) {
   auto* count = app.add_subcommand("count", "how much the steps of one scene take, in directions and multiply-adds, and a hash of its steps");
   count->add_option("--scene", count_wanted.scene, "one of " + count_scenes())->required();
   count->add_option("--every", count_wanted.every, "of so many steps one goes through counted_step(), for callgrind")->capture_default_str();
+  count->add_option("--most", count_wanted.most, "search directions allowed in a step; more: exits 1");
   count->add_option("--list", count_wanted.list, "file with a line a step");
   CLI11_PARSE(app, argc, argv);
   knots_wanted.command = "swage-bench";
