@@ -20,8 +20,7 @@ namespace swage::toolkit {
 struct KnotVisit {
   int16_t crossing = 0;
   bool over = false;
-  bool laid = false;  // a strand that was laid anew crosses here, which the thread itself does not
-  double s = 0;       // place on the thread, in nodes
+  double s = 0;  // place on the thread, in nodes
 };
 
 class KnotDiagram {

@@ -121,7 +121,7 @@ inline KnotSight KnotEye::look(const KnotThread& thread, const KnotView& view, K
       if (const KnotSight seen = cross(thread, i, j); seen != KnotSight::kSound) return seen;
   if (const KnotSight seen = order(); seen != KnotSight::kSound) return seen;
   for (int i = 0; i < n_; ++i)
-    code_[at(i)] = {static_cast<int16_t>(hit_[at(i)].crossing), hit_[at(i)].over, false, hit_[at(i)].s};
+    code_[at(i)] = {static_cast<int16_t>(hit_[at(i)].crossing), hit_[at(i)].over, hit_[at(i)].s};
   out.set(code_.data(), n_, sign_.data(), n_ / 2);
   return KnotSight::kSound;
 }

@@ -5,8 +5,8 @@
 // its throws. The order is that of the plainest view, from which the fewest crossings were removed. A name is certain when two views or more
 // give the same word, the plainest among them and no other as plain, and determinant and signature are those of that word. A view that
 // cannot be reduced to a word proves nothing. A thread is tangled when no word has the determinant and signature of its views; where some word
-// has them and no view is read as one, that is told as `unread`, and the caller decides how often. Of the views that give the word the one with
-// the fewest strands laid anew locates the throws. Reading is done in slices of bounded work per call. Header-only.
+// has them and no view is read as one, that is told as `unread`, and the caller decides how often. Of the views that give the word the one in
+// which the throws take the least thread locates them, a plain one before others. Reading is done in slices of bounded work per call. Header-only.
 //
 //   thread.begin(nodes, n);
 //   while (!reader.read(thread, 500, name)) ...   // one call a step
@@ -90,17 +90,18 @@ class KnotReader {
     if (found.agreed > 0 && number != found.word) {
       if (excess >= found.excess) return void(found.rival = std::min<double>(found.rival, excess));
       found.rival = found.excess;
-      found.agreed = 0, found.laid = found.taken = 1e9;
+      found.agreed = 0, found.taken = 1e9;
     }
     found.word = number, found.agreed += 1;
     found.excess = found.agreed == 1 ? excess : std::min<double>(found.excess, excess);
-    locate(word, found);
+    locate(word, excess, found);
   }
-  /// Takes the places of the throws from a view that has fewer crossings of strands laid anew than those before, or as many and shorter throws.
-  static void locate(const KnotWord& word, KnotFindings& found) {
-    const double taken = thread_taken(word);
-    if (word.laid > found.laid || (word.laid == found.laid && taken >= found.taken)) return;
-    found.laid = word.laid, found.taken = taken;
+  /// Takes the places of the throws from the view in which they take the least thread, where each crossing that was removed makes them uncertain by
+  /// about a node.
+  static void locate(const KnotWord& word, int excess, KnotFindings& found) {
+    const double taken = thread_taken(word) + excess;
+    if (taken >= found.taken) return;
+    found.taken = taken;
     found.throws = word.throws, found.knots = word.knots;
     for (int i = 0; i < word.throws; ++i) {
       const KnotThrow& t = word.tied[at(i)];

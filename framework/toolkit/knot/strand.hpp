@@ -94,9 +94,9 @@ class KnotStrand {
     for (int i = 0; i < n; ++i) {
       const KnotVisit& v = d.visit(i);
       if (i == first)
-        for (int k = 0; k < turns; ++k) code_[at(out)] = d.visit(first + k), code_[at(out++)].laid = true;
+        for (int k = 0; k < turns; ++k) code_[at(out++)] = d.visit(first + k);
       if (!dropped[at(v.crossing)]) code_[at(out++)] = v;
-      if (crossed_[at(i)] >= 0) code_[at(out++)] = {static_cast<int16_t>(crossed_[at(i)]), !over, true, v.s};
+      if (crossed_[at(i)] >= 0) code_[at(out++)] = {static_cast<int16_t>(crossed_[at(i)]), !over, v.s};
     }
     d.set(code_.data(), out, sign.data(), n / 2);
   }

@@ -37,7 +37,7 @@ struct KnotFindings {
   double excess = 1e9;        // crossings removed from the plainest view that gave it
   double rival = 1e9;         // crossings removed from the plainest view that gave another word of the same invariants
   double determinant = 0, signature = 0;  // of all views; determinant 0: not known yet
-  double laid = 1e9, taken = 1e9;  // of the view that locates the throws: crossings of strands laid anew; thread that the throws take, in nodes
+  double taken = 1e9;         // nodes, of thread that the throws take in the view that locates them, and its removed crossings
   double throws = 0, knots = 0;
   std::array<Throw, kThrows> tied{};
 };

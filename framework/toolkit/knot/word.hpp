@@ -28,7 +28,6 @@ struct KnotWord {
   int throws = 0;
   std::array<KnotThrow, kThrows> tied{};  // knot by knot, in each the first throw first
   int knots = 0;
-  int laid = 0;    // crossings at which the thread does not cross itself (strand.hpp): the places of its throws are as much less certain
   int others = 0;  // parts that are no throw; a thread with some is tangled, or knotted in another way
   KnotInvariants invariants;
 
@@ -141,7 +140,6 @@ class KnotReading {
       k = -1;  // what lay outside of two may be ready now
     }
     out.invariants = KnotSurface::invariants(d_);
-    for (int i = 0; i < d_.visits(); ++i) out.laid += d_.visit(i).over && d_.visit(i).laid;
     return out;
   }
   void add(int part, bool& started, KnotWord& out) const {
