@@ -12,6 +12,12 @@ namespace {
 
 enum class Kind : int { kNone, kHalf, kSquare, kGranny, kMixed, kTangled };
 
+/// Readings in a row without a word, after which the thread is told as tangled though no invariant proves it: 0.4 s with a reading of all views in
+/// some 50 steps, much longer than a thread that is drawn keeps one shape. Fewer: a knot in a shape that no view can be reduced in is told as a tangle.
+constexpr double kUnread = 8;
+/// nodes. A passage and one back through the same strands within a step are one place; the thread slides by less in a step.
+constexpr double kSamePlace = 2;
+
 /// The signs of the throws alternate in a square knot and are equal in a granny.
 Kind kind_of(const KnotTold& told) {
   if (told.tangled != 0) return Kind::kTangled;
@@ -59,7 +65,7 @@ void Knot::build(const KnotParams& params, CouplingBuilder& builder) {
   passages_ = builder.signal("knot.passages", "1", "How often the thread has gone through itself.");
   tied_event_ = builder.event("knot.tied", "A throw has been tied; value: its turns with their sign.");
   untied_event_ = builder.event("knot.untied", "A throw has come undone; value: the turns it had, with their sign.");
-  tangled_event_ = builder.event("knot.tangled", "The thread is knotted in another way than by throws.");
+  tangled_event_ = builder.event("knot.tangled", "The thread is knotted in another way than by throws; value: 1 proved by its invariants, 2 no view could be read for some time.");
   passage_event_ = builder.event("knot.passage",
                                  "The thread has gone through itself: what is tied from here on is not to be trusted; value: where, in m from "
                                  "its first end.");
@@ -94,24 +100,45 @@ void Knot::look(const CouplingStep& step, const KnotState& state) {
   }
 }
 
-void Knot::find_passages(const CouplingStep& step, KnotState& state) {
+void Knot::find_passages(KnotState& state) {
   const double* now = p_W_ + 3 * first_;
   const bool same = state.places == places_ && state.first == first_;
   if (same && std::equal(now, now + 3 * places_, state.p_W)) return;
   if (!same) state.reading = 0, state.wait_s = 0;  // what is being read is another piece
   if (same) {
     const int n = finder_.find(state.p_W, now, places_, found_);
-    state.passages += std::max(0, n);
-    for (const toolkit::KnotPassage& p : found_)
-      step.event(passage_event_, length_ * (first_ + p.s) / (params_.places - 1));
+    for (int k = found_.size(); k < n; ++k) state.passages += 1;
+    for (const toolkit::KnotPassage& p : found_) note_passage(p, state);
   }
   std::copy_n(now, 3 * places_, state.p_W);
   state.places = places_, state.first = first_;
 }
 
+/// A passage back takes away the one before it: the free motion of a step, which no contact has stopped yet, may go through the thread.
+void Knot::note_passage(const toolkit::KnotPassage& p, KnotState& state) {
+  const int n = static_cast<int>(state.n_crossed);
+  for (int k = 0; k < n; ++k) {
+    KnotCrossed& c = state.crossed[k];
+    if (c.jump + p.jump != 0 || std::abs(c.s - p.s) > kSamePlace || std::abs(c.other - p.other) > kSamePlace) continue;
+    c = state.crossed[n - 1], state.n_crossed -= 1;
+    return;
+  }
+  if (n == KnotState::kCrossed) return void(state.passages += 1);
+  state.crossed[n] = {p.s, p.other, static_cast<double>(p.jump)}, state.n_crossed += 1;
+}
+
+void Knot::tell_passages(const CouplingStep& step, KnotState& state) const {
+  state.passages += state.n_crossed;
+  for (int k = 0; k < static_cast<int>(state.n_crossed); ++k)
+    step.event(passage_event_, length_ * (first_ + state.crossed[k].s) / (params_.places - 1));
+  state.n_crossed = 0;
+}
+
 void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
   KnotTold seen;
   state.certain = said.certain;
+  state.unread = said.unread ? state.unread + 1 : 0;
+  if (!said.certain && !said.tangled && state.unread < kUnread) return;  // not known: the last reading is kept
   state.sliding = 0;
   if (said.certain) {
     seen.throws = said.word.throws;
@@ -121,10 +148,8 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
       if (i < KnotTold::kThrows) seen.tied[i] = t.sign * t.turns;
       state.sliding += toolkit::KnotForm(state.p_W, places_, t).core() >= 0;
     }
-  } else if (said.word.others > 0) {
-    seen.tangled = 1;
   } else {
-    return;  // the projections contradicted each other: the last reading is kept
+    seen.tangled = said.tangled ? 1 : 2;
   }
   if (!(seen == state.seen)) state.seen = seen, state.seen_s = 0;
 }
@@ -160,8 +185,8 @@ void Knot::tell(const CouplingStep& step, KnotState& state) const {
   if (state.seen == state.told || state.seen_s < params_.settle) return;
   const KnotTold &old = state.told, &now = state.seen;
   if (now.tangled != 0) {
-    if (old.tangled == 0) step.event(tangled_event_);
-    state.told.tangled = 1;  // the reported throws are kept
+    if (old.tangled == 0) step.event(tangled_event_, now.tangled);
+    state.told.tangled = now.tangled;  // the reported throws are kept
     return;
   }
   const auto count = [](const KnotTold& t) { return std::min(static_cast<int>(t.throws), KnotTold::kThrows); };
@@ -186,17 +211,18 @@ void Knot::write(const CouplingStep& step, const KnotState& state) const {
   step.signal(passages_, state.passages);
 }
 
-/// A step may be done in substeps: the thread is where the last substep left it.
+/// A step may be done in substeps. The thread is where the last substep and the free motion of this one have led it.
 void Knot::resolve(const CouplingStep& step) {
   look(step, step.state<KnotState>());
-  if (places_ > 1) find_passages(step, step.state<KnotState>());
+  if (places_ > 1) find_passages(step.state<KnotState>());
 }
 
 void Knot::finish(const CouplingStep& step) {
   KnotState& state = step.state<KnotState>();
   look(step, state);
   if (places_ > 1) {
-    find_passages(step, state);
+    find_passages(state);
+    tell_passages(step, state);
     read(step, state);
     tell(step, state);
   }

@@ -23,8 +23,13 @@ struct KnotTold {
   static constexpr int kThrows = 6;
   double throws = 0;
   double tied[kThrows] = {};  // turns with their sign, the first throw first
-  double tangled = 0;         // 1: knotted, but not by throws
+  double tangled = 0;         // 1: knotted, but not by throws, which is proved; 2: no view was read for some time
   bool operator==(const KnotTold&) const = default;
+};
+
+/// A passage within a step, in nodes of the observed piece (toolkit/knot/passage.hpp).
+struct KnotCrossed {
+  double s = 0, other = 0, jump = 0;
 };
 
 /// The private state of the coupling.
@@ -34,7 +39,11 @@ struct KnotState {
   double wait_s = 0;             // s, to the next reading
   KnotTold told, seen;           // as reported; as read last
   double seen_s = 0;             // s, time for which `seen` has been unchanged
+  double unread = 0;  // readings in a row without a word, none of them proved to be no word
   double sliding = 0, certain = 1, passages = 0;
+  static constexpr int kCrossed = 16;  // a snap through several strands and back is noted as some four; what is beyond counts at once
+  double n_crossed = 0;
+  KnotCrossed crossed[kCrossed];  // passages since the step began that were not undone
   double loop = 0;  // m, of thread between the two strands of the first throw
   double from = 0, to = 0;  // m from the first end: between these places all throws lie, with the loop
   double loosest = 0;       // m, of thread that one strand takes in the loosest throw
@@ -75,7 +84,9 @@ class Knot final : public Coupling<KnotParams> {
 
  private:
   void look(const CouplingStep& step, const KnotState& state);
-  void find_passages(const CouplingStep& step, KnotState& state);
+  void find_passages(KnotState& state);
+  static void note_passage(const toolkit::KnotPassage& passage, KnotState& state);
+  void tell_passages(const CouplingStep& step, KnotState& state) const;
   void read(const CouplingStep& step, KnotState& state);
   void take(const toolkit::KnotName& said, KnotState& state) const;
   void take_places(const toolkit::KnotWord& word, KnotState& state) const;

@@ -61,6 +61,7 @@ TEST(Knots, AFigureEightIsNoThrow) {
   // its ends lie on the outside, side by side: t = 0 is where it is widest
   const KnotName name = read(p.front().data(), 201);
   EXPECT_FALSE(name.certain);
+  EXPECT_TRUE(name.tangled) << "no throws have its invariants";
   EXPECT_EQ(name.word.throws, 0);
   EXPECT_EQ(name.word.others, 1);
   EXPECT_EQ(name.word.invariants.determinant, 5);

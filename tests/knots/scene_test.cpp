@@ -229,6 +229,35 @@ TEST(KnotGuard, SelfLinkingIsConstantButForPassages) {
   EXPECT_EQ(s.signal("knot.passages"), passages + 1);
 }
 
+/// Thrown on itself it goes through itself in the free motion of a step, before the contact has stopped it: that is no passage.
+TEST(KnotPassage, InFreeMotionIsNotCounted) {
+  constexpr double kLeg = 6e-3, kRadius = 2e-3, kArc = 1.5 * M_PI * kRadius;
+  for (const double speed : {0.02, 0.04, 0.08}) {  // m/s; a step of 1 ms at the first is a diameter of the thread
+    Laid s(24e-3, 48, "0.01 GPa", kKnot);
+    ASSERT_TRUE(s.engine);
+    s.lay([&](int i) {
+      const double at = 0.5e-3 * i, up = 60e-6 * std::clamp((at - kLeg) / kArc, 0.0, 1.0), turn = (at - kLeg) / kRadius;
+      if (at < kLeg) return Vec3(at - kLeg + kRadius, 0, up);
+      if (at < kLeg + kArc) return Vec3(kRadius + kRadius * std::sin(turn), kRadius - kRadius * std::cos(turn), up);
+      return Vec3(0, kRadius - (at - kLeg - kArc), up);
+    });
+    const toolkit::RodState rod = s.rod();
+    for (int i = 13; i < 47; ++i) rod.v[3 * i + 2] = -speed * std::min(1.0, (i - 12) / 19.0);
+    const double before = self_linking(rod);
+    int told = 0;
+    double pressed = 0;
+    for (int k = 0; k < 60; ++k) {
+      s.run(1);
+      pressed = std::max(pressed, s.signal("contact.force"));
+      for (const judge::Event& e : s.engine->events()) told += s.rig->script.events[e.event].id == "knot.passage";
+    }
+    EXPECT_GT(pressed, 0) << "they touch";
+    EXPECT_NEAR(self_linking(s.rod()), before, 0.2) << "nothing went through";
+    EXPECT_EQ(s.signal("knot.passages"), 0) << speed;
+    EXPECT_EQ(told, 0) << speed;
+  }
+}
+
 /// Closed jaws along x with their tips in the origin, and a thread wound about them 2 mm behind the tips.
 struct Wound : Laid {
   static constexpr char kJaws[] = R"({"name": "holder", "plugin": "swage.object.jaws", "follows": {"pose": "hand", "closure": "hand"}})";

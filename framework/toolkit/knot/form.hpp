@@ -7,6 +7,8 @@
 // Threads: [rt], pure, nothing allocates.
 #pragma once
 
+#include <numbers>
+
 #include "toolkit/knot/word.hpp"
 #include "toolkit/math.hpp"
 
@@ -16,6 +18,9 @@ class KnotForm {
  public:
   /// Below this share of the turning of the other strand, a strand is the straight core of a throw that slides.
   static constexpr double kCoreShare = 0.5;
+  /// rad. A strand that turns by more, half a turn, does not run straight through, however often the other one goes about it: a tight flat
+  /// throw with a loop in one strand is no throw that slides. Greater: such throws are told as sliding.
+  static constexpr double kStraight = std::numbers::pi;
 
   /// Measures a throw in a polyline of n nodes.
   KnotForm(const double* node, int n, const KnotThrow& tied) : node_(node), n_(n) {
@@ -30,8 +35,9 @@ class KnotForm {
   double turned(int strand) const { return turned_[strand]; }
   /// The strand (0 or 1) that runs straight through; -1: the throw is flat.
   int core() const {
-    if (turned_[0] < kCoreShare * turned_[1]) return 0;
-    return turned_[1] < kCoreShare * turned_[0] ? 1 : -1;
+    for (int k = 0; k < 2; ++k)
+      if (turned_[k] < kStraight && turned_[k] < kCoreShare * turned_[1 - k]) return k;
+    return -1;
   }
 
  private:

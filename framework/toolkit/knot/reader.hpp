@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Names the knot in a thread: straightened a little, and fully where that is not enough (thread.hpp), seen from several
-// directions (eye.hpp), each view reduced (strand.hpp) and read (word.hpp). A name is certain when two views or more
-// give the same word, the plainest (from which the fewest crossings were removed) among them, none gives another knot, and determinant
-// and signature are those of that word. The plainest view gives the places of its throws on the thread. Reading is done in slices of
-// bounded work per call. Header-only.
+// directions (eye.hpp), each view reduced (strand.hpp) and read (word.hpp). A view that is read as a word proves the knot, up to the order of
+// its throws. The order is that of the plainest view, from which the fewest crossings were removed. A name is certain when two views or more
+// give the same word, the plainest among them and no other as plain, and determinant and signature are those of that word. A view that
+// cannot be reduced to a word proves nothing. A thread is tangled when no word has the determinant and signature of its views; where some word
+// has them and no view is read as one, that is told as `unread`, and the caller decides how often. Of the views that give the word the one in
+// which the throws take the least thread locates them, a plain one before others. Reading is done in slices of bounded work per call. Header-only.
 //
 //   thread.begin(nodes, n);
 //   while (!reader.read(thread, 500, name)) ...   // one call a step
@@ -21,11 +23,14 @@ namespace swage::toolkit {
 struct KnotName {
   KnotWord word;
   bool certain = false;
+  bool tangled = false;  // proved: no throws make a knot with these invariants
+  bool unread = false;   // no view was read as a word, though some word has these invariants
 };
 
 class KnotReader {
  public:
   static constexpr int kFirstViews = 12;  // views of a thread that has been straightened a little; all are used
+  static constexpr double kMostFactored = 1e6;  // twelve throws have up to 3^12; a greater determinant is not tried for factors
   static constexpr int kViews = 36;       // with those of the fully straightened thread, where the first were not enough
 
   /// Continues by about `work` tests of pieces with pieces, or by one view. True when there is a name. An uncertain one has the word of
@@ -42,8 +47,11 @@ class KnotReader {
       note(name.word, seen - diagram_.crossings(), thread.findings);
     }
     const KnotFindings& found = thread.findings;
-    name.certain = found.agreed >= 2 && found.contradicted == 0;
-    if (k + 1 < kFirstViews || (!name.certain && k + 1 < kViews)) return false;
+    name.certain = found.agreed >= 2 && found.contradicted == 0 && found.excess < found.rival;
+    const bool unread = found.word < 0 && found.contradicted == 0;
+    name.tangled = unread && found.determinant > 0 && !throws_make(found.determinant, -found.signature);
+    name.unread = unread && !name.tangled;
+    if (k + 1 < kFirstViews || (!name.certain && !name.tangled && k + 1 < kViews)) return false;
     if (name.certain) tell(found, name.word);
     return true;
   }
@@ -57,25 +65,44 @@ class KnotReader {
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
-  /// In a view with many crossings to remove a whole throw may slide along the thread through another: the same knot in another order.
-  /// So the plainest view decides about the order; a view that gives another knot contradicts it.
-  static void note(const KnotWord& word, int excess, KnotFindings& found) {
-    const double number = word.number();
-    const KnotInvariants says = invariants_of(word);
-    if (number < 0 || word.invariants != says) return;
-    const bool first = found.agreed == 0, same = !first && number == found.word;
-    if (!first && !same) {
-      KnotWord before;
-      tell(found, before);
-      if (before.invariants != says || excess == found.excess) found.contradicted = 1;
+  /// Whether throws, factors 2 n + 1 of the determinant from `least` on, have the sum `turned` of 2 n with the signs of their turns.
+  static bool throws_make(double determinant, double turned, double least = 3) {
+    if (determinant == 1) return turned == 0;
+    if (determinant > kMostFactored) return true;  // not looked for: nothing is proved
+    for (double f = least; f <= determinant; f += 2) {
+      if (f * f > determinant) f = determinant;
+      if (std::fmod(determinant, f) != 0) continue;
+      for (const double sign : {1.0, -1.0})
+        if (throws_make(determinant / f, turned - sign * (f - 1), f)) return true;
     }
-    if (same) found.agreed += 1;
-    const double taken = thread_taken(word);
-    const bool nearer = same && excess == found.excess && taken < found.taken;
-    if (!first && !nearer && excess >= found.excess) return;
-    if (!same) found.word = number, found.agreed = 1;
+    return false;
+  }
+  /// In a view with many crossings to remove a whole throw may slide along the thread through another: the same knot in another order.
+  /// So the plainest view decides about the order.
+  static void note(const KnotWord& word, int excess, KnotFindings& found) {
+    if (word.invariants.known) {
+      const double determinant = static_cast<double>(word.invariants.determinant), signature = word.invariants.signature;
+      if (found.determinant == 0) found.determinant = determinant, found.signature = signature;
+      if (found.determinant != determinant || found.signature != signature) found.contradicted = 1;
+    }
+    const double number = word.number();
+    if (number < 0 || word.invariants != invariants_of(word)) return;
+    if (found.agreed > 0 && number != found.word) {
+      if (excess >= found.excess) return void(found.rival = std::min<double>(found.rival, excess));
+      found.rival = found.excess;
+      found.agreed = 0, found.taken = 1e9;
+    }
+    found.word = number, found.agreed += 1;
+    found.excess = found.agreed == 1 ? excess : std::min<double>(found.excess, excess);
+    locate(word, excess, found);
+  }
+  /// Takes the places of the throws from the view in which they take the least thread, where each crossing that was removed makes them uncertain by
+  /// about a node.
+  static void locate(const KnotWord& word, int excess, KnotFindings& found) {
+    const double taken = thread_taken(word) + excess;
+    if (taken >= found.taken) return;
     found.taken = taken;
-    found.excess = excess, found.throws = word.throws, found.knots = word.knots;
+    found.throws = word.throws, found.knots = word.knots;
     for (int i = 0; i < word.throws; ++i) {
       const KnotThrow& t = word.tied[at(i)];
       const auto &a = t.strand[0], &b = t.strand[1];

@@ -33,9 +33,11 @@ struct KnotFindings {
   };
   double word = -1;           // as a number; -1: none yet
   double agreed = 0;          // views that gave it
-  double contradicted = 0;    // 1: a view gave another
-  double excess = 1e9;       // crossings removed from the plainest view, which locates the throws best
-  double taken = 1e9;        // thread that the throws take in it, in nodes: of views that are as plain the one with the least locates them
+  double contradicted = 0;    // 1: two views gave different invariants, which views of one knot cannot
+  double excess = 1e9;        // crossings removed from the plainest view that gave it
+  double rival = 1e9;         // crossings removed from the plainest view that gave another word of the same invariants
+  double determinant = 0, signature = 0;  // of all views; determinant 0: not known yet
+  double taken = 1e9;         // nodes, of thread that the throws take in the view that locates them, and its removed crossings
   double throws = 0, knots = 0;
   std::array<Throw, kThrows> tied{};
 };
