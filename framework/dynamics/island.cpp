@@ -29,8 +29,6 @@ constexpr uint32_t kMostBends = 100;   // constraints of an island with threads 
 // knot with 100 mN as many: 9 and 16 directions a step, where Newton's method and its path take 38 and 56. Fewer: a crossing or two, where a
 // path ends at a near solution.
 constexpr uint32_t kWound = 40;
-constexpr double kClose = 1000;  // in tolerances, 0.1 um. Longer: steps across a bend of the law are taken whole, which may be a cycle
-constexpr double kContracts = 0.5;  // of the step before. 1: two steps may take turns
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // in tolerances: a step as short as this is due to rounding
 
@@ -177,13 +175,6 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
   for (const Constraint& constraint : island.constraints)
     if (constraint.tie || constraint.f.slips) return false;
   return true;
-}
-
-/// True for a step, in contact space, that is short and at most half as long as the one before: the method contracts, and the whole step is
-/// taken. The merit does not tell so near to the solution: of the forces on a needle of 0.4 mg held with 0.8 N some nN are rounding, as
-/// displacements of metres cancel in it, and those on a thread that weighs 0.1 uN do not count beside them.
-bool IslandSolver::contracts(const Island& island, double far, double last, double tolerance) const noexcept {
-  return island.banded && island.contact_space && far <= kClose * tolerance && far <= kContracts * last;
 }
 
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
