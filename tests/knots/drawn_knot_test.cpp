@@ -72,7 +72,7 @@ TEST_P(Drawn, IsNamed) {
   EXPECT_EQ(name.word.knots, 1);
 }
 
-/// None of its strands runs straight: each turns by more than half a turn.
+/// No strand of it runs straight: in its throws both turn alike, or each by more than three quarters of a turn.
 TEST_P(Drawn, DoesNotSlide) {
   const DrawnKnot knot = drawn_knot(GetParam());
   const KnotName name = read_all(knot.node);

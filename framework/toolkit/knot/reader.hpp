@@ -31,6 +31,9 @@ class KnotReader {
  public:
   static constexpr int kFirstViews = 12;  // views of a thread that has been straightened a little; all are used
   static constexpr double kMostFactored = 1e6;  // twelve throws have up to 3^12; a greater determinant is not tried for factors
+  /// nodes, of the thread in a tight throw of one turn. Smaller: throws are located in views with many removed crossings, and flat ones are told
+  /// as sliding. Greater: only in the plainest view, where the legs of the loop may count as a part of the first throw.
+  static constexpr double kNodesOfCrossing = 6;
   static constexpr int kViews = 36;       // with those of the fully straightened thread, where the first were not enough
 
   /// Continues by about `work` tests of pieces with pieces, or by one view. True when there is a name. An uncertain one has the word of
@@ -96,10 +99,9 @@ class KnotReader {
     found.excess = found.agreed == 1 ? excess : std::min<double>(found.excess, excess);
     locate(word, excess, found);
   }
-  /// Takes the places of the throws from the view in which they take the least thread, where each crossing that was removed makes them uncertain by
-  /// about a node.
+  /// Takes the places of the throws from the view in which they take the least thread; each crossing that was removed counts as some of it.
   static void locate(const KnotWord& word, int excess, KnotFindings& found) {
-    const double taken = thread_taken(word) + excess;
+    const double taken = thread_taken(word) + kNodesOfCrossing * excess;
     if (taken >= found.taken) return;
     found.taken = taken;
     found.throws = word.throws, found.knots = word.knots;
