@@ -185,8 +185,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const uint32_t halvings = island.banded ? kBandedHalvings : tied ? kTiedHalvings : kHalvings;
   if (!make_consistent(island, Friction::kCoulomb)) return false;
   evaluate(island, z_.data(), Friction::kCoulomb);
-  double now = -1;         // not known yet
-  double last = HUGE_VAL;  // m, the step before
+  double now = -1;  // not known yet
   const double nothing = negligible_merit(island, tolerance);
   for (uint32_t i = 0; i < steps; ++i) {
     if ((i > 0 && over_budget()) || !search_direction(island, Friction::kCoulomb)) return false;
@@ -194,23 +193,21 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
     if (!std::isfinite(far)) return false;
     // every constraint is on the piece for which the last step was computed: that step ended at the solution
     if (island.contact_space && far <= kHere * tolerance) return true;
-    const bool close = contracts(island, far, last, tolerance);
-    last = far;
-    if (far > tolerance && !close && now < 0) now = space_->merit();
+    if (far > tolerance && now < 0) now = space_->merit();
 
-    double fraction = 1, next = HUGE_VAL;
+    double fraction = 1, next = 0;
     for (uint32_t k = 0;; ++k, fraction *= 0.5) {
       advance(fraction);
       evaluate(island, trial_.data(), Friction::kCoulomb);
       // close enough: this correction is the last
-      if (far <= tolerance || close) break;
+      if (far <= tolerance) break;
       next = space_->merit();
       if (next <= (1 - 2 * kDecrease * fraction) * now) break;
       if (k == halvings) return false;
     }
     z_.swap(trial_);
     if (far <= tolerance || (next <= nothing && sticks(island))) return true;
-    now = close ? -1 : next;
+    now = next;
   }
   return false;
 }

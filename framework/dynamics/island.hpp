@@ -118,7 +118,6 @@ class IslandSolver {
   void advance(double fraction) noexcept;
   double negligible_merit(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
-  bool contracts(const Island& island, double far, double last, double tolerance) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
   bool begins_with_projection(const Island& island) const noexcept;
   bool project_first(const Island& island, double tolerance, Outcome& outcome) noexcept;
@@ -136,7 +135,7 @@ class IslandSolver {
   void evaluate_pieces(const Island& island, const double* z) noexcept;
   bool search_direction_on_pieces(const Island& island) noexcept;
   uint32_t first_kink(const Island& island, uint32_t passed, bool turns, double& fraction, Pieces& next) const noexcept;
-  bool whole_step(const Island& island, bool close) noexcept;
+  bool whole_step(const Island& island, double far, double tolerance) noexcept;
   bool on_their_pieces(const Island& island, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
   bool minimise(const Island& island, double tolerance) noexcept;

@@ -20,8 +20,6 @@ constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so
 constexpr uint32_t kBandedPathSteps = 150;  // the same for threads, which slide at all of their 10 to 100 contacts
 constexpr uint32_t kTurningSteps = 40;  // first steps in which a slip that reverses sticks. More: stick and slip may alternate for ever
 constexpr uint32_t kTurnHalvings = 6;    // of a step within one piece, where the direction of slip changes
-constexpr double kClose = 1000;  // in tolerances, 0.1 um. Longer: steps across a bend of the law are taken whole, which may be a cycle
-constexpr double kContracts = 0.5;  // of the step before. 1: two steps may take turns
 constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
 
 }  // namespace
@@ -61,21 +59,14 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool tu
   return hit;
 }
 
-/// True for a step, in contact space, that is short and at most half as long as the one before: the method contracts, and the whole step is
-/// taken. The merit does not tell so near to the solution: of the forces on a needle of 0.4 mg held with 0.8 N some nN are rounding, as
-/// displacements of metres cancel in it, and those on a thread that weighs 0.1 uN do not count beside them.
-bool IslandSolver::contracts(const Island& island, double far, double last, double tolerance) const noexcept {
-  return island.banded && island.contact_space && far <= kClose * tolerance && far <= kContracts * last;
-}
-
-/// Newton step to where F would vanish, halved while |F| does not fall; whole where it is close. True when the whole step was taken.
-bool IslandSolver::whole_step(const Island& island, bool close) noexcept {
-  const double now = close ? 0 : space_->merit();
+/// Newton step to where F would vanish, halved while |F| does not fall. True when the whole step was taken.
+bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
+  const double now = far <= tolerance ? 0 : space_->merit();
   double fraction = 1;
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);
     evaluate_pieces(island, trial_.data());
-    if (close || k == kTurnHalvings || space_->merit() <= now) break;
+    if (far <= tolerance || k == kTurnHalvings || space_->merit() <= now) break;
   }
   z_.swap(trial_);
   return fraction == 1;
@@ -101,7 +92,6 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
   for (Constraint& constraint : island.constraints) constraint.on = pieces(constraint, constraint.u);
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
-  double last = HUGE_VAL;  // m, the step before, where that met no kink
   const uint32_t steps = island.banded ? kBandedPathSteps : kPathSteps;
   for (uint32_t i = 0; i < steps; ++i) {
     if (over_budget() || !search_direction_on_pieces(island)) return false;
@@ -122,11 +112,10 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
       evaluate_pieces(island, z_.data());
     } else if (!down) {
       return false;  // no kink ahead: the path does not return
-    } else if (whole_step(island, far <= tolerance || contracts(island, far, last, tolerance)) && far <= tolerance) {
+    } else if (whole_step(island, far, tolerance) && far <= tolerance) {
       if (on_their_pieces(island, tolerance)) return true;
       evaluate_pieces(island, z_.data());
     }
-    last = passed == UINT32_MAX ? far : HUGE_VAL;
   }
   return false;
 }
