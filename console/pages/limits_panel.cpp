@@ -130,7 +130,7 @@ void LimitsPanel::refresh() {
     const auto same = [&](const judge::Limit& l) { return l.metric == m.id.toStdString(); };
     if (std::none_of(s->limits.begin(), s->limits.end(), same)) metric_->addItem(limit_title(m.id), m.id);
   }
-  metric_->setCurrentIndex(metric_->count() > 0 ? 0 : -1);  // with a placeholder Qt chooses none
+  metric_->setCurrentIndex(metric_->count() > 0 ? 0 : -1);  // a QComboBox with a placeholder text selects no item by itself
   together_->setText(s->limits.empty() ? tr("No limits: the lesson's own verdict is all that is asked.")
                                        : together_words(s->limits, editing_->experts()));
 }

@@ -49,7 +49,7 @@ class FlexibleBody {
   virtual bool banded() const noexcept { return false; }
   virtual bool linearise(uint32_t /*stiffer*/, double* /*stiffness*/, double* /*gradient*/) noexcept { return false; }
   /// Asked where that stiffness could not be factored. False: its numbers are not finite, and the object has failed. A matrix with
-  /// such numbers is never factored: each of them makes a pivot that is not above zero.
+  /// such numbers is never factored: each of them makes a pivot that is not above zero or not finite.
   virtual bool stiffness_is_sound(const double* /*stiffness*/) noexcept { return true; }
   virtual void displace(const double* /*change*/, std::span<const swage_contact_point> /*point*/,
                         const double* /*impulse*/) noexcept {}

@@ -107,7 +107,7 @@ void Knot::find_passages(KnotState& state) {
   if (!same) state.reading = 0, state.wait_s = 0;  // what is being read is another piece
   if (same) {
     const int n = finder_.find(state.p_W, now, places_, found_);
-    for (int k = found_.size(); k < n; ++k) state.passages += 1;
+    state.passages += std::max(0, n - found_.size());  // those beyond the list, whose places are not known
     for (const toolkit::KnotPassage& p : found_) note_passage(p, state);
   }
   std::copy_n(now, 3 * places_, state.p_W);
