@@ -44,67 +44,136 @@ inline BlockPoint body_point(uint32_t first_block, const toolkit::Vec3& arm) {
   return p;
 }
 
+/// A contact in the system: the blocks under its two sides, J = J_a - J_b by columns and by rows, in lines of four numbers, and the blocks of
+/// H to which it adds.
+struct BlockContact {
+  struct Pair {
+    uint8_t high = 0, low = 0;  // of the blocks; `high` is eliminated last
+    bool diagonal = false;
+    uint32_t at = 0;            // among the diagonal blocks, or those below
+  };
+  uint32_t size = 0;
+  uint32_t at[4] = {};          // first number of each block in a vector of the system or, after begin_late(), of its late part
+  double column[4][4][4] = {};  // of each block: four columns (g, s1, s2, 0)
+  double row[4][3][4] = {};     // the same by rows
+  uint32_t pairs = 0;
+  Pair pair[10];
+
+  BlockContact(const BandedBlocks& H, const BlockPoint& a, const BlockPoint& b) {
+    uint32_t place[4] = {};
+    for (const BlockPoint* p : {&a, &b})
+      for (uint32_t k = 0; k < p->size; ++k, ++size) {
+        place[size] = H.place_of(p->block[k]), at[size] = 4 * place[size];
+        for (int c = 0; c < 4; ++c)
+          for (int r = 0; r < 3; ++r) {
+            const double J = p == &a ? p->J[k](r, c) : -p->J[k](r, c);
+            column[size][c][r] = row[size][r][c] = J;
+          }
+      }
+    for (uint8_t i = 0; i < size; ++i)
+      for (uint8_t j = 0; j <= i; ++j) {
+        const bool swap = place[i] < place[j];
+        Pair& to = pair[pairs++];
+        to = {swap ? j : i, swap ? i : j, place[i] == place[j], place[i]};
+        if (!to.diagonal) to.at = H.place_below(place[to.high], place[to.low]);
+      }
+  }
+  void begin_late(uint32_t early) noexcept {
+    for (uint32_t k = 0; k < size; ++k) at[k] -= 4 * early;
+  }
+};
+
 namespace assembly {
 
-/// One block under one side: its index, the sign of the side (+1: a, -1: b), and the 3 x 4 Jacobian by rows.
-struct Side {
-  uint32_t block;
-  double sign;
-  double row[3][4];
-};
-inline void add_sides(const BlockPoint& p, double sign, Side* to) noexcept {
-  for (uint32_t k = 0; k < p.size; ++k) {
-    to[k].block = p.block[k], to[k].sign = sign;
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) to[k].row[r][c] = p.J[k](r, c);
-  }
-}
-
-/// DJ = D J of one side: 3 rows, 4 columns.
-inline void multiply(const toolkit::Mat3& D, const Side& side, double DJ[3][4]) noexcept {
-  for (int c = 0; c < 4; ++c) {
-    const double x = side.sign * side.row[0][c], y = side.sign * side.row[1][c], z = side.sign * side.row[2][c];
-    for (int r = 0; r < 3; ++r) DJ[r][c] = (x * D(r, 0) + y * D(r, 1)) + z * D(r, 2);
-  }
-}
-
-/// M = J' DJ, column by column.
 template <class V>
-[[gnu::always_inline]] inline void multiply_transposed(const Side& side, const double DJ[3][4], double* M) noexcept {
-  toolkit::Line<V, 4> x, y, z;
-  x.load(side.row[0]), y.load(side.row[1]), z.load(side.row[2]);
-  const auto column = [&](int c) __attribute__((always_inline)) {
-    toolkit::Line<V, 4> m = x, p = y, q = z;
-    m.multiply(DJ[0][c]), p.multiply(DJ[1][c]), q.multiply(DJ[2][c]);
-    m.add(p), m.add(q), m.multiply(side.sign);
-    m.store(M + 4 * c);
-  };
-  column(0), column(1), column(2), column(3);
+using Line = toolkit::Line<V, 4>;
+
+/// u = J x: g, s1, s2 and a 0.
+template <class V>
+[[gnu::always_inline]] inline void displace(const BlockContact& c, const double* x, double* u) noexcept {
+  Line<V> sum;
+  sum.fill(0);
+  for (uint32_t k = 0; k < c.size; ++k)
+#pragma GCC unroll 4
+    for (uint32_t i = 0; i < 4; ++i) sum.add(x[c.at[k] + i], c.column[k][i]);
+  sum.store(u);
 }
-SWAGE_FOURS inline void multiply_by_fours(const Side& side, const double DJ[3][4], double* M) noexcept {
-  multiply_transposed<toolkit::Fours>(side, DJ, M);
+SWAGE_FOURS inline void displace_by_fours(const BlockContact& c, const double* x, double* u) noexcept { displace<toolkit::Fours>(c, x, u); }
+
+/// F -= J' f.
+template <class V>
+[[gnu::always_inline]] inline void push(const BlockContact& c, const double* f, double* F) noexcept {
+  for (uint32_t k = 0; k < c.size; ++k) {
+    Line<V> at;
+    at.load(F + c.at[k]);
+#pragma GCC unroll 3
+    for (int r = 0; r < 3; ++r) at.take(f[r], c.row[k][r]);
+    at.store(F + c.at[k]);
+  }
+}
+SWAGE_FOURS inline void push_by_fours(const BlockContact& c, const double* f, double* F) noexcept { push<toolkit::Fours>(c, f, F); }
+
+/// H += J' DJ, a block of 16 numbers; DJ: three rows.
+template <class V>
+[[gnu::always_inline]] inline void add_product(const double J[3][4], const double DJ[3][4], double* H) noexcept {
+  Line<V> j[3];
+#pragma GCC unroll 3
+  for (int r = 0; r < 3; ++r) j[r].load(J[r]);
+#pragma GCC unroll 4
+  for (int c = 0; c < 4; ++c) {
+    Line<V> h;
+    h.load(H + 4 * c);
+#pragma GCC unroll 3
+    for (int r = 0; r < 3; ++r) h.add(DJ[r][c], j[r]);
+    h.store(H + 4 * c);
+  }
+}
+
+/// DJ = D J, by rows; D: three rows.
+template <class V>
+[[gnu::always_inline]] inline void multiply(const double D[3][3], const double J[3][4], double DJ[3][4]) noexcept {
+#pragma GCC unroll 3
+  for (int r = 0; r < 3; ++r) {
+    Line<V> sum;
+    sum.fill(0);
+#pragma GCC unroll 3
+    for (int q = 0; q < 3; ++q) sum.add(D[r][q], J[q]);
+    sum.store(DJ[r]);
+  }
+}
+
+/// H += J' D J: the lower blocks and, unless symmetric, the upper ones, which are kept transposed: J_high' D' J_low.
+template <class V>
+[[gnu::always_inline]] inline void add(const BlockStore& H, const BlockContact& c, const double D[3][3], bool symmetric) noexcept {
+  double DJ[4][3][4], transposed[4][3][4];
+  const double T[3][3] = {{D[0][0], D[1][0], D[2][0]}, {D[0][1], D[1][1], D[2][1]}, {D[0][2], D[1][2], D[2][2]}};
+  for (uint32_t k = 0; k < c.size; ++k) {
+    multiply<V>(D, c.row[k], DJ[k]);
+    if (!symmetric) multiply<V>(T, c.row[k], transposed[k]);
+  }
+  for (uint32_t p = 0; p < c.pairs; ++p) {
+    const BlockContact::Pair& to = c.pair[p];
+    double* const at = (to.diagonal ? H.diagonal : H.lower) + elimination::kBlock * to.at;
+    add_product<V>(c.row[to.high], DJ[to.low], at);
+    // two sides in one block
+    if (to.diagonal && to.high != to.low) add_product<V>(c.row[to.low], DJ[to.high], at);
+    if (!symmetric && !to.diagonal) add_product<V>(c.row[to.high], transposed[to.low], H.upper + elimination::kBlock * to.at);
+  }
+}
+SWAGE_FOURS inline void add_by_fours(const BlockStore& H, const BlockContact& c, const double D[3][3], bool symmetric) noexcept {
+  add<toolkit::Fours>(H, c, D, symmetric);
 }
 
 }  // namespace assembly
 
 /// H += J' D J, J = J_a - J_b; D [N/m]. `symmetric`: adds one of the blocks (a, b) and (b, a), as BandedBlocks::add() expects.
+inline void add_contact(BandedBlocks& H, const BlockContact& c, const toolkit::Mat3& D, bool symmetric) noexcept {
+  const double rows[3][3] = {{D(0, 0), D(0, 1), D(0, 2)}, {D(1, 0), D(1, 1), D(1, 2)}, {D(2, 0), D(2, 1), D(2, 2)}};
+  H.has_fours() ? assembly::add_by_fours(H.store(), c, rows, symmetric) : assembly::add<toolkit::Twos>(H.store(), c, rows, symmetric);
+}
 inline void add_contact(BandedBlocks& H, const BlockPoint& a, const BlockPoint& b, const toolkit::Mat3& D,
                         bool symmetric) noexcept {
-  assembly::Side side[4];
-  assembly::add_sides(a, 1, side), assembly::add_sides(b, -1, side + a.size);
-  const uint32_t n = a.size + b.size;
-  const bool fours = toolkit::has_fours();
-  for (uint32_t j = 0; j < n; ++j) {
-    double DJ[3][4];
-    assembly::multiply(D, side[j], DJ);
-    for (uint32_t i = symmetric ? j : 0; i < n; ++i) {
-      BandedBlocks::Block M;
-      fours ? assembly::multiply_by_fours(side[i], DJ, M.data()) : assembly::multiply_transposed<toolkit::Twos>(side[i], DJ, M.data());
-      // two sides in one block: the diagonal block takes both off-diagonal halves
-      if (symmetric && i != j && side[i].block == side[j].block) M += BandedBlocks::Block(M.transpose());
-      H.add(side[i].block, side[j].block, M);
-    }
-  }
+  add_contact(H, BlockContact(H, a, b), D, symmetric);
 }
 
 /// Adds the Hessian of a thread: a node is coupled to two neighbours on each side, a rotation to the nodes of three edges. The last

@@ -15,7 +15,7 @@ using Block = BandedBlocks::Block;
 
 BandedBlocks::BandedBlocks(uint32_t max_blocks, uint32_t max_fill)
     : max_blocks_(max_blocks), max_fill_(max_fill), words_((max_blocks + 63) / 64) {
-  near_.resize(static_cast<size_t>(max_blocks) * words_);
+  near_.resize(size_t{max_blocks} * words_), of_degree_.resize(size_t{kDegrees} * words_);
   at_.resize(max_blocks), of_.resize(max_blocks), degree_.resize(max_blocks);
   first_.resize(max_blocks + 1), first_update_.resize(max_blocks + 1);
   row_.resize(max_fill), place_.resize(size_t{max_blocks} * max_blocks);
@@ -34,43 +34,54 @@ bool BandedBlocks::analyse(uint32_t blocks, std::span<const Pair> coupled, std::
   return false;
 }
 
-/// Minimum degree order: eliminates the block of least degree, couples its neighbours with each other, and repeats. Late blocks count as
-/// of a degree beyond that of any other.
+/// Minimum degree order: eliminates the block of least degree, the lowest index of equals, couples its neighbours with each other, and
+/// repeats. Late blocks come after all others. Blocks of one degree are bits of one line, so that the least is found in a few words.
 bool BandedBlocks::order(std::span<const Pair> coupled, std::span<const uint8_t> late) noexcept {
-  constexpr uint32_t kLate = uint32_t{1} << 20;
-  std::fill_n(near_.begin(), static_cast<size_t>(n_) * words_, uint64_t{0});
-  const auto join = [&](uint32_t a, uint32_t b) { line(a)[b / 64] |= uint64_t{1} << (b % 64); };
+  words_ = (n_ + 63) / 64;
+  std::fill_n(near_.begin(), size_t{n_} * words_, uint64_t{0});
+  std::fill_n(of_degree_.begin(), size_t{kDegrees} * words_, uint64_t{0});
+  const auto bit = [](uint32_t i) { return uint64_t{1} << (i % 64); };
   for (const Pair& p : coupled)
-    if (p.a != p.b) join(p.a, p.b), join(p.b, p.a);
-  const auto count = [&](uint32_t i) {
-    uint32_t bits = 0;
-    for (uint32_t w = 0; w < words_; ++w) bits += static_cast<uint32_t>(std::popcount(line(i)[w]));
-    return bits;
+    if (p.a != p.b) line(p.a)[p.b / 64] |= bit(p.b), line(p.b)[p.a / 64] |= bit(p.a);
+  const auto is_late = [&](uint32_t i) { return !late.empty() && late[i] != 0; };
+  const auto file = [&](uint32_t i) {
+    degree_[i] = 0;
+    for (uint32_t w = 0; w < words_; ++w) degree_[i] += static_cast<uint32_t>(std::popcount(line(i)[w]));
+    with_degree(degree_[i])[i / 64] |= bit(i);
   };
-  constexpr uint32_t kGone = ~uint32_t{0};
-  const auto degree = [&](uint32_t i) { return count(i) + (!late.empty() && late[i] ? kLate : 0); };
-  for (uint32_t i = 0; i < n_; ++i) degree_[i] = degree(i);
   uint32_t entries = 0;
-  for (uint32_t k = 0; k < n_; ++k) {
-    uint32_t least = 0;
-    for (uint32_t i = 1; i < n_; ++i)
-      if (degree_[i] < degree_[least]) least = i;
-    if (entries + degree_[least] % kLate > max_fill_) return false;
-    of_[k] = least, at_[least] = k, degree_[least] = kGone;
-    first_[k] = entries;
-    for (uint32_t w = 0; w < words_; ++w)
-      for (uint64_t bits = line(least)[w]; bits != 0; bits &= bits - 1)
-        row_[entries++] = 64 * w + static_cast<uint32_t>(std::countr_zero(bits));
-    for (uint32_t e = first_[k]; e < entries; ++e) {
-      const uint32_t i = row_[e];
-      for (uint32_t w = 0; w < words_; ++w) line(i)[w] |= line(least)[w];
-      line(i)[i / 64] &= ~(uint64_t{1} << (i % 64));
-      line(i)[least / 64] &= ~(uint64_t{1} << (least % 64));
-      degree_[i] = degree(i);
+  for (const bool now_late : {false, true}) {
+    for (uint32_t i = 0; i < n_; ++i)
+      if (is_late(i) == now_late) file(i);
+    for (uint32_t k = now_late ? early_ : 0, last = now_late ? n_ : early_; k < last; ++k) {
+      const uint32_t least = least_degree();
+      if (entries + degree_[least] > max_fill_) return false;
+      of_[k] = least, at_[least] = k;
+      with_degree(degree_[least])[least / 64] &= ~bit(least);
+      first_[k] = entries;
+      for (uint32_t w = 0; w < words_; ++w)
+        for (uint64_t bits = line(least)[w]; bits != 0; bits &= bits - 1)
+          row_[entries++] = 64 * w + static_cast<uint32_t>(std::countr_zero(bits));
+      for (uint32_t e = first_[k]; e < entries; ++e) {
+        const uint32_t i = row_[e];
+        for (uint32_t w = 0; w < words_; ++w) line(i)[w] |= line(least)[w];
+        line(i)[i / 64] &= ~bit(i);
+        line(i)[least / 64] &= ~bit(least);
+        if (is_late(i) != now_late) continue;
+        with_degree(degree_[i])[i / 64] &= ~bit(i);
+        file(i);
+      }
     }
   }
   first_[n_] = entries;
   return true;
+}
+
+/// The block of least degree of those that are filed, the lowest index of equals. Beyond the last line all degrees count as equal.
+uint32_t BandedBlocks::least_degree() noexcept {
+  for (uint32_t d = 0;; ++d)
+    for (uint32_t w = 0; w < words_; ++w)
+      if (const uint64_t bits = with_degree(d)[w]; bits != 0) return 64 * w + static_cast<uint32_t>(std::countr_zero(bits));
 }
 
 /// Renumbers rows in elimination order and lists, for every product, the block from which it is subtracted.
@@ -144,6 +155,10 @@ bool BandedBlocks::factor_early() noexcept {
   negative_ = 0;
   for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
   if (!eliminate(0, early_, true)) return false;
+  // the two halves of a block differ by rounding: the upper one counts, as in split()
+  for (uint32_t k = early_; k < n_; ++k)
+    for (int c = 0; c < 4; ++c)
+      for (int r = c + 1; r < 4; ++r) diagonal_[k](r, c) = diagonal_[k](c, r);
   std::copy(diagonal_.begin() + early_, diagonal_.begin() + n_, late_diagonal_.begin() + early_);
   std::copy(lower_.begin() + first_[early_], lower_.begin() + first_[n_], late_lower_.begin() + first_[early_]);
   done_ = early_;
@@ -168,15 +183,35 @@ bool BandedBlocks::factor(bool symmetric) noexcept {
   return eliminate(done_, n_, symmetric);
 }
 
+void BandedBlocks::forward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept {
+  fours_ ? forward_by_fours(store(), {from, to, base}, y) : forward_by_twos(store(), {from, to, base}, y);
+}
+
+void BandedBlocks::backward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept {
+  fours_ ? backward_by_fours(store(), {from, to, base}, y) : backward_by_twos(store(), {from, to, base}, y);
+}
+
 void BandedBlocks::solve(double* x) const noexcept {
   double* y = y_.data();
-  for (uint32_t k = 0; k < n_; ++k)
-    for (int r = 0; r < 4; ++r)
-      y[4 * k + static_cast<uint32_t>(r)] = x[4 * of_[k] + static_cast<uint32_t>(r)];
-  fours_ ? solve_by_fours(store(), y) : solve_by_twos(store(), y);
-  for (uint32_t k = 0; k < n_; ++k)
-    for (int r = 0; r < 4; ++r)
-      x[4 * of_[k] + static_cast<uint32_t>(r)] = y[4 * k + static_cast<uint32_t>(r)];
+  for (uint32_t k = 0; k < n_; ++k) std::copy_n(x + 4 * of_[k], 4, y + 4 * k);
+  forward(0, n_, 0, y);
+  backward(0, n_, 0, y);
+  for (uint32_t k = 0; k < n_; ++k) std::copy_n(y + 4 * k, 4, x + 4 * of_[k]);
+}
+
+void BandedBlocks::condense(double* y) const noexcept { forward(0, early_, 0, y); }
+
+void BandedBlocks::solve_early(double* y) const noexcept { backward(0, early_, 0, y); }
+
+void BandedBlocks::solve_late(double* x) const noexcept {
+  forward(early_, n_, early_, x);
+  backward(early_, n_, early_, x);
+}
+
+void BandedBlocks::take_product(const double* x, double* r) const noexcept {
+  BlockStore S = store();
+  S.diagonal = const_cast<double*>(late_diagonal_.data()->data()), S.lower = const_cast<double*>(late_lower_.data()->data());
+  fours_ ? take_symmetric_by_fours(S, {early_, n_, early_}, x, r) : take_symmetric_by_twos(S, {early_, n_, early_}, x, r);
 }
 
 }  // namespace swage::dynamics

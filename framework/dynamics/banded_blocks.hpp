@@ -15,6 +15,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,6 +40,7 @@ class BandedBlocks {
   uint32_t blocks() const noexcept { return n_; }
   /// Number of blocks below the diagonal, and of block products in factor().
   size_t fill() const noexcept { return row_.size() < first_[n_] ? row_.size() : first_[n_]; }
+  size_t late_fill() const noexcept { return first_[n_] - first_[early_]; }
   size_t work() const noexcept { return updates_; }
   /// Operations on blocks in factor() after take_late(), and in factor_early().
   size_t late_work() const noexcept {
@@ -58,6 +60,24 @@ class BandedBlocks {
   bool factor(bool symmetric) noexcept;
   /// x = H^-1 x, 4 numbers a block.
   void solve(double* x) const noexcept;
+
+  // The system without the early unknowns, S = H_LL - H_LE H_EE^-1 H_EL. Vectors are in the order of elimination: y of all blocks, x, r of
+  // the late ones.
+  /// Number of early blocks, and the place of a block in the order of elimination.
+  uint32_t early() const noexcept { return early_; }
+  uint32_t place_of(uint32_t block) const noexcept { return at_[block]; }
+  /// Index of the block at a row and a column in that order, row > column, which must be coupled; and all blocks in memory.
+  uint32_t place_below(uint32_t row, uint32_t column) const noexcept { return place_[size_t{row} * n_ + column]; }
+  BlockStore store() const noexcept;
+  bool has_fours() const noexcept { return fours_; }
+  /// After factor_early(): y_L -= H_LE H_EE^-1 y_E; y_E is left as solve_early() wants it.
+  void condense(double* y) const noexcept;
+  /// y_E = H_EE^-1 (y_E - H_EL y_L), y_E as condense() left it.
+  void solve_early(double* y) const noexcept;
+  /// r -= S x, without what was added after take_late().
+  void take_product(const double* x, double* r) const noexcept;
+  /// After factor(): x = H^-1 x, of the late blocks alone.
+  void solve_late(double* x) const noexcept;
   /// Uses registers of two doubles even where the machine has four: for the test that both give the same bits.
   void work_by_twos() noexcept { fours_ = false; }
   /// Number of negative pivots: odd where det H < 0.
@@ -72,8 +92,13 @@ class BandedBlocks {
   uint32_t& place(uint32_t row, uint32_t column) noexcept { return place_[size_t{row} * n_ + column]; }
   bool split(Block& D) noexcept;
   bool eliminate(uint32_t from, uint32_t to, bool symmetric) noexcept;
-  BlockStore store() const noexcept;
-  uint64_t* line(uint32_t i) noexcept { return near_.data() + static_cast<size_t>(i) * words_; }
+  void forward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept;
+  void backward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept;
+  uint64_t* line(uint32_t i) noexcept { return near_.data() + size_t{i} * words_; }
+  uint64_t* with_degree(uint32_t degree) noexcept { return of_degree_.data() + size_t{std::min(degree, kDegrees - 1)} * words_; }
+  uint32_t least_degree() noexcept;
+  // Degrees that order() tells apart. In a tight knot the most is 40; fewer only lets blocks of many neighbours come in another order.
+  static constexpr uint32_t kDegrees = 128;
 
   uint32_t max_blocks_, max_fill_, words_;
   uint32_t n_ = 0;
@@ -83,6 +108,7 @@ class BandedBlocks {
   uint32_t negative_ = 0;
   bool fours_ = toolkit::has_fours();
   std::vector<uint64_t> near_;              // neighbours of each block, one bit each
+  std::vector<uint64_t> of_degree_;         // blocks of each degree that are still to be ordered, one bit each
   std::vector<uint32_t> at_, of_, degree_;  // per block: place in the elimination order; its inverse; degree
   std::vector<uint32_t> first_;             // per column in that order: index of its first block; n + 1
   std::vector<uint32_t> row_;               // per block below the diagonal: its row in that order

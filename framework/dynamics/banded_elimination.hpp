@@ -110,16 +110,21 @@ template <class V>
   }
 }
 
-/// y = H^-1 y, in elimination order.
+/// Part of a substitution: columns `from` to `to`, of numbers y that begin with those of block `base`.
+struct Part {
+  uint32_t from = 0, to = 0, base = 0;
+};
+
+/// y <- L^-1 y.
 template <class V>
-[[gnu::always_inline]] inline void solve(const BlockStore& s, double* y) noexcept {
-  for (uint32_t k = 0; k < s.n; ++k) {
-    double* yk = y + 4 * k;
+[[gnu::always_inline]] inline void forward(const BlockStore& s, const Part& part, double* y) noexcept {
+  for (uint32_t k = part.from; k < part.to; ++k) {
+    double* yk = y + 4 * (k - part.base);
     const double* D = s.diagonal + kBlock * k;
     for (int r = 1; r < 4; ++r)
       for (int c = 0; c < r; ++c) yk[r] -= D[r + 4 * c] * yk[c];
     for (uint32_t e = s.first[k]; e < s.first[k + 1]; ++e) {
-      double* at = y + 4 * s.row[e];
+      double* at = y + 4 * (s.row[e] - part.base);
       const double* L = s.lower + kBlock * e;
       Line<V> to;
       to.load(at);
@@ -127,11 +132,16 @@ template <class V>
       to.store(at);
     }
   }
-  for (uint32_t k = s.n; k-- > 0;) {
-    double* yk = y + 4 * k;
+}
+
+/// y <- U^-1 y.
+template <class V>
+[[gnu::always_inline]] inline void backward(const BlockStore& s, const Part& part, double* y) noexcept {
+  for (uint32_t k = part.to; k-- > part.from;) {
+    double* yk = y + 4 * (k - part.base);
     const double* D = s.diagonal + kBlock * k;
     for (uint32_t e = s.first[k]; e < s.first[k + 1]; ++e)
-      toolkit::take_transposed<V>(s.upper + kBlock * e, y + 4 * s.row[e], yk);
+      toolkit::take_transposed<V>(s.upper + kBlock * e, y + 4 * (s.row[e] - part.base), yk);
     for (int r = 4; r-- > 0;) {
       for (int c = r + 1; c < 4; ++c) yk[r] -= D[r + 4 * c] * yk[c];
       yk[r] /= D[5 * r];
@@ -139,12 +149,47 @@ template <class V>
   }
 }
 
+/// y <- y - S x, S symmetric, given by its diagonal and the blocks below; both vectors begin with block `base`.
+template <class V>
+[[gnu::always_inline]] inline void take_symmetric(const BlockStore& s, const Part& part, const double* x, double* y) noexcept {
+  const auto take = [](const double* M, const double* of, double* at) __attribute__((always_inline)) {
+    Line<V> to;
+    to.load(at);
+    to.take(of[0], M), to.take(of[1], M + 4), to.take(of[2], M + 8), to.take(of[3], M + 12);
+    to.store(at);
+  };
+  for (uint32_t k = part.from; k < part.to; ++k) {
+    const double* xk = x + 4 * (k - part.base);
+    double* yk = y + 4 * (k - part.base);
+    take(s.diagonal + kBlock * k, xk, yk);
+    for (uint32_t e = s.first[k]; e < s.first[k + 1]; ++e) {
+      const size_t i = 4 * size_t{s.row[e] - part.base};
+      take(s.lower + kBlock * e, xk, y + i);
+      toolkit::take_transposed<V>(s.lower + kBlock * e, x + i, yk);
+    }
+  }
+}
+
 }  // namespace elimination
 
-SWAGE_FOURS inline void solve_by_fours(const BlockStore& s, double* y) noexcept {
-  elimination::solve<toolkit::Fours>(s, y);
+using elimination::Part;
+
+SWAGE_FOURS inline void forward_by_fours(const BlockStore& s, const Part& part, double* y) noexcept {
+  elimination::forward<toolkit::Fours>(s, part, y);
 }
-inline void solve_by_twos(const BlockStore& s, double* y) noexcept { elimination::solve<toolkit::Twos>(s, y); }
+inline void forward_by_twos(const BlockStore& s, const Part& part, double* y) noexcept { elimination::forward<toolkit::Twos>(s, part, y); }
+
+SWAGE_FOURS inline void backward_by_fours(const BlockStore& s, const Part& part, double* y) noexcept {
+  elimination::backward<toolkit::Fours>(s, part, y);
+}
+inline void backward_by_twos(const BlockStore& s, const Part& part, double* y) noexcept { elimination::backward<toolkit::Twos>(s, part, y); }
+
+SWAGE_FOURS inline void take_symmetric_by_fours(const BlockStore& s, const Part& part, const double* x, double* y) noexcept {
+  elimination::take_symmetric<toolkit::Fours>(s, part, x, y);
+}
+inline void take_symmetric_by_twos(const BlockStore& s, const Part& part, const double* x, double* y) noexcept {
+  elimination::take_symmetric<toolkit::Twos>(s, part, x, y);
+}
 
 SWAGE_FOURS inline void eliminate_by_fours(const BlockStore& s, const BlockColumn& c, bool symmetric) noexcept {
   elimination::column<toolkit::Fours>(s, c, symmetric);

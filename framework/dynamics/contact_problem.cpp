@@ -10,6 +10,14 @@ namespace swage::dynamics {
 
 using scene::kNone;
 
+namespace {
+// Active contacts of strands with strands beyond which threads are wound. Islands of fewer constraints are solved for their forces, where
+// each one that bears nothing costs as much as one that does.
+constexpr uint32_t kWound = 32;
+// Those beyond which touches are not expected: on braids of hundreds the projection of the law (island_projection.cpp) then converges less.
+constexpr uint32_t kBraided = 100;
+}  // namespace
+
 ContactProblem::ContactProblem(const scene::World& world) : room(world.capacity), place(world) {
   contact.resize(room.contacts), tie_workspace.resize(room.ties);
   constraint.resize(size_t{room.contacts} + room.ties);
@@ -34,6 +42,18 @@ void ContactProblem::begin(scene::World& world, Motion& motion, const contact::C
     k.dropped = false;
     k.constraint = kNone;
     k.found = {c.gap, c.p_W, c.n_W};
+  }
+  expect_touches(contacts);
+}
+
+void ContactProblem::expect_touches(const contact::ContactSet& contacts) noexcept {
+  const auto strands = [&](const ContactWorkspace& k) { return place.is_banded(k.a.block) && place.is_banded(k.b.block); };
+  uint32_t wound = 0;
+  for (uint32_t i = 0; i < n; ++i) wound += contact[i].active && strands(contact[i]);
+  if (wound <= kWound || wound > kBraided) return;
+  for (uint32_t i = 0; i < n; ++i) {
+    const contact::Contact& c = contacts.contact[i];
+    contact[i].active = contact[i].active || (c.gap < scales.soon && c.law.stiffness > 0 && strands(contact[i]));
   }
 }
 

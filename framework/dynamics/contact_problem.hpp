@@ -72,6 +72,8 @@ struct ContactProblem {
 
   /// Whether a contact is active from the start.
   bool takes_part(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
+  /// Activates contacts of strands with strands that are about to touch, where threads are wound.
+  void expect_touches(const contact::ContactSet& contacts) noexcept;
   /// Gap, place and normal of a contact at the present poses.
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
   /// Axes, law, gap and tangential displacement of a constraint at the present poses.

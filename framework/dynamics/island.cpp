@@ -24,7 +24,6 @@ constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
 constexpr uint32_t kProjections = 44;  // steps of the projection, normal: 8 to 15
 constexpr uint32_t kProjectionsBeforePath = 10;  // the same where its path follows: in tight knots of 60 contacts it then takes 3 to 8 directions
-constexpr uint32_t kMostBends = 100;   // constraints of an island with threads whose path is followed: a longer one uses up the budget
 // Contacts of thread with thread from which on the projection comes first. A square knot drawn tight with 30 mN has 50 that bear, a surgeon's
 // knot with 100 mN as many: 9 and 16 directions a step, where Newton's method and its path take 38 and 56. Fewer: a crossing or two, where a
 // path ends at a near solution.
@@ -37,14 +36,16 @@ bool has_ties(const Island& island) {
                      [](const Constraint& constraint) { return constraint.tie; });
 }
 
+/// Whether a constraint overlaps or bore force at the start of the step.
+bool touches(const Constraint& c) { return c.tie || c.at.g < 0 || c.before.fn > 0; }
+
 /// Whether threads are wound about themselves or each other.
 bool wound(const Island& island) {
-  if (island.constraints.size() <= kWound) return false;
   const auto on_band = [&](uint32_t block) {
     return block != UINT32_MAX && island.blocks[block]->kind == DofBlock::Kind::kBanded;
   };
   uint32_t n = 0;
-  for (const Constraint& c : island.constraints) n += on_band(c.block_a) && on_band(c.block_b);
+  for (const Constraint& c : island.constraints) n += touches(c) && on_band(c.block_a) && on_band(c.block_b);
   return n > kWound;
 }
 
@@ -280,6 +281,7 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
   space_ = island.contact_space ? contact_space_.get() : island.banded ? sparse_space_.get() : displacement_space_.get();
   size_ = island.size;
   point_size_ = space_->begin(island);
+  touching_ = static_cast<uint32_t>(std::count_if(island.constraints.begin(), island.constraints.end(), touches));
   newton_ = 0;
   law_ = has_first_ = false;
   start();
@@ -291,7 +293,7 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
     outcome.limits_hold = limits_hold(island);
   } else {
     outcome.converged = begins_with_projection(island) ? project_first(island, tolerance, outcome) : newton(island, tolerance);
-    if (!outcome.converged && island.contact_space && island.banded && island.constraints.size() > kMostBends) {
+    if (!outcome.converged && island.contact_space && island.banded && touching_ > kMostBends) {
       start();
       outcome.fell_back = true;
       outcome.converged = project(island, tolerance, kProjections);
@@ -307,12 +309,12 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
 /// Threads with many contacts: Newton's method seldom converges there, and a path from the start is long. With few contacts a path ends at a
 /// near solution; the projection may end where an edge has turned once about itself.
 bool IslandSolver::begins_with_projection(const Island& island) const noexcept {
-  return island.banded && !island.contact_space && (island.constraints.size() > kMostBends || wound(island));
+  return island.banded && !island.contact_space && (touching_ > kMostBends || (touching_ > kWound && wound(island)));
 }
 
 /// The projection finds the pieces of most contacts in a few steps, or takes turns between those of one or two. From there the path is short.
 bool IslandSolver::project_first(const Island& island, double tolerance, Outcome& outcome) noexcept {
-  const bool long_path = island.constraints.size() > kMostBends;
+  const bool long_path = touching_ > kMostBends;
   if (project(island, tolerance, long_path ? kProjections : kProjectionsBeforePath)) return true;
   if (!long_path) {
     outcome.fell_back = true;
@@ -339,7 +341,7 @@ void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome
     return;
   }
   // a needle in tissue: Newton's method from where nothing slips ends better than a path, whose end may be far from there
-  const bool tied = has_ties(island) && !island.banded, long_path = island.banded && island.constraints.size() > kMostBends;
+  const bool tied = has_ties(island) && !island.banded, long_path = island.banded && touching_ > kMostBends;
   bool stood = false;
   start();
   outcome.converged = !tied && !long_path && follow_path(island, tolerance);

@@ -109,6 +109,9 @@ class IslandSolver {
   bool over_budget() const noexcept { return work() > budget_; }
 
  private:
+  /// Constraints of an island with threads whose path is followed: a longer one uses up the budget.
+  static constexpr uint32_t kMostBends = 100;
+
   void start() noexcept;
   void evaluate(const Island& island, const double* z, Friction friction) noexcept;
   bool search_direction(const Island& island, Friction friction) noexcept;
@@ -144,6 +147,7 @@ class IslandSolver {
 
   uint64_t budget_ = UINT64_MAX;
   size_t size_ = 0, point_size_ = 0;  // numbers of d, of a point z
+  uint32_t touching_ = 0;             // constraints that overlap at the start or bore force; the others may touch within the step
   uint32_t newton_ = 0;
   bool consistent_ = false;  // z_ is a consistent point of the space, not only the start
   bool has_first_ = false;

@@ -172,11 +172,16 @@ TEST(Trefoil, S25DrawnToFiveRadiiOfTheThread) {
   const double wanted = 2 * M_PI * 5 * 0.5 * t.diameter;
   while (knot.shortening() > wanted) knot.draw(1e-6, 1e-3);
   const int keep = std::getenv("SWAGE_SOAK_KNOT") ? 200000 : 500;
-  for (int i = 0; i < keep; ++i) knot.step();
-  const double k = knot.apex_curvature();
+  // without friction it wanders along the thread by a segment, and its apex from node to node: the balance of a moment is within 0.94 to 0.99
+  double balance = 0;
+  for (int i = 0; i < keep; ++i) {
+    knot.step();
+    const double k = knot.apex_curvature();
+    balance += (0.5 * knot.bending() * k * k + knot.apex_tension()) / knot.pull() / keep;
+  }
   EXPECT_EQ(knot.passages(), 0);
   EXPECT_EQ(knot.not_converged(), 0u);
-  EXPECT_NEAR((0.5 * knot.bending() * k * k + knot.apex_tension()) / knot.pull(), 1, 0.05);
+  EXPECT_NEAR(balance, 1, 0.05);
   EXPECT_LT(knot.overlap(), 0.1 * t.diameter);
 }
 

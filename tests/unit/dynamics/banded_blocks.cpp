@@ -102,6 +102,45 @@ TEST(BandedBlocks, WithWhatNothingTouchesEliminatedOnceSolveAsADenseMatrixDoes) 
     }
 }
 
+/// The numbers of the blocks from..to in the order of elimination, of a vector or of the rows and columns of a dense matrix.
+std::vector<int> in_order(const BandedBlocks& blocks, uint32_t from, uint32_t to) {
+  std::vector<int> out(4 * size_t{to - from});
+  for (uint32_t b = 0; b < blocks.blocks(); ++b)
+    if (const uint32_t at = blocks.place_of(b); at >= from && at < to)
+      for (uint32_t r = 0; r < 4; ++r) out[4 * (at - from) + r] = static_cast<int>(4 * b + r);
+  return out;
+}
+
+TEST(BandedBlocks, WithoutWhatNothingTouchesSolveAsADenseMatrixDoes) {
+  for (const bool by_twos : {true, false}) {
+    Knot k(60, 9, false, 5, true);
+    if (by_twos) k.blocks.work_by_twos();
+    const uint32_t n = k.blocks.blocks(), early = k.blocks.early();
+    ASSERT_GT(early, 20u);
+    ASSERT_LT(early, n);
+    const std::vector<int> all = in_order(k.blocks, 0, n), late = in_order(k.blocks, early, n), first = in_order(k.blocks, 0, early);
+
+    // S x, without contacts
+    Eigen::MatrixXd bare = k.dense;
+    Knot without(60, 0, false, 5);
+    bare = without.dense;
+    const Eigen::MatrixXd S = bare(late, late) - bare(late, first) * Eigen::MatrixXd(bare(first, first)).partialPivLu().solve(Eigen::MatrixXd(bare(first, late)));
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(S.rows(), -2, 5);
+    Eigen::VectorXd r = Eigen::VectorXd::Zero(S.rows());
+    k.blocks.take_product(x.data(), r.data());
+    EXPECT_LT((r + S * x).norm(), 1e-11 * r.norm());
+
+    // H^-1 b in three parts
+    ASSERT_TRUE(k.blocks.factor(false));
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
+    Eigen::VectorXd y = b(all);
+    k.blocks.condense(y.data());
+    k.blocks.solve_late(y.data() + 4 * early);
+    k.blocks.solve_early(y.data());
+    EXPECT_LT((k.dense(all, all) * y - b(all)).norm(), 1e-11 * b.norm());
+  }
+}
+
 TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
   for (const bool symmetric : {true, false})
     for (const uint32_t contacts : {0u, 1u, 12u, 60u, 200u}) {
