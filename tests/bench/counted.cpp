@@ -86,12 +86,13 @@ struct CountKnot {
   const char* name;
   test::Word word;
   double pretension;  // N
+  double keep = 0.2;  // s, under the load
 };
-const CountKnot kCountKnots[] = {{"knot_square", {1, -1}, 30e-3}, {"knot_surgeon", {2, -1, 1}, 100e-3}};
+const CountKnot kCountKnots[] = {{"knot_square", {1, -1}, 30e-3}, {"knot_surgeon", {2, -1, 1}, 100e-3}, {"knot_kept", {2, -1, 1}, 100e-3, 2}};
 
 void count_knot(const CountKnot& knot) {
   test::PullTest wanted;
-  wanted.word = knot.word, wanted.pretension = knot.pretension;
+  wanted.word = knot.word, wanted.pretension = knot.pretension, wanted.keep = knot.keep;
   const test::PullResult r = test::pull(wanted);
   std::printf("%s: %s, most %.6f mN, slip %.6f and %.6f um\n", knot.name, test::text(r.end), 1e3 * r.most, 1e6 * r.slip[0], 1e6 * r.slip[1]);
   const std::pair<const char*, const test::PullPhase*> phases[] = {{"tighten", &r.tighten}, {"rest", &r.rest}, {"pull", &r.pull}};
