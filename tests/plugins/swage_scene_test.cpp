@@ -213,7 +213,9 @@ TEST(SwageInScene, a_thread_may_start_bent) {
 /// The needle goes up until the thread, softer than nylon so that it does not spring from its bends, bears kTight.
 constexpr double kTight = 2e-3;  // N
 struct Drawn {
-  double force = 0, deep = 0;  // greatest: N, of all touches of the wire in a step; m
+  double force = 0;            // N, greatest of all touches of the wire in a step
+  double deep = 0;             // m, greatest once it is tight
+  double deepest = 0;          // m, at any time: it snaps over the wire at up to 0.8 m/s, and a contact is a plane within a step
   double in_hole = 0;          // N, summed, of touches within three depths of the hole
   std::string troubles;
 };
@@ -228,28 +230,33 @@ Drawn drawn_over_the_wire(bool bending, const std::string& touch) {
   EXPECT_TRUE(s.engine);
   if (!s.engine) return out;
   s.run(1000);  // it starts with corners, and springs a little; then it lies on the wire
-  for (int k = 0; k < 2200 && s.signal("thread.tension") < kTight; ++k) {
+  int tight = 0;  // steps
+  for (int k = 0; k < 2200 && tight < 100; ++k) {
     s.run(1);
-    double force = 0;
+    tight = tight > 0 || s.signal("thread.tension") >= kTight ? tight + 1 : 0;
+    double force = 0, deep = 0;
     for (const contact::Contact& c : s.engine->contacts().contact) {
       const double f = c.f_a_W.norm();
       (c.law.stiffness > 0 ? force : out.in_hole) += f;
-      if (f > 0) out.deep = std::max(out.deep, -c.gap);
+      if (f > 0) deep = std::max(deep, -c.gap);
     }
-    out.force = std::max(out.force, force);
+    out.force = std::max(out.force, force), out.deepest = std::max(out.deepest, deep);
+    if (tight > 0) out.deep = std::max(out.deep, deep);
   }
-  EXPECT_GE(s.signal("thread.tension"), kTight) << "it is drawn tight";
+  EXPECT_EQ(tight, 100) << "it is drawn tight";
   out.troubles = s.troubles();
   return out;
 }
 
-// It touches the needle that it is in, bears on it, and does not pass through; where the touch is soft it sinks in.
+// It touches the needle that it is in, bears on it, and does not pass through; where the touch is soft it sinks in. On its way it snaps over the
+// wire, at another moment and speed with every change of the solver, and may slide off a rigid one: the depth of that moment says little.
 TEST(SwageInScene, a_thread_lies_on_its_own_needle) {
   for (const bool bending : {false, true}) {
     const Drawn hard = drawn_over_the_wire(bending, "1e5 N/m"), soft = drawn_over_the_wire(bending, "500 N/m");
     EXPECT_GT(hard.force, 0.5 * kTight) << bending;
-    EXPECT_LT(hard.deep, 2e-6) << bending;
-    EXPECT_GT(soft.deep, 2 * hard.deep) << bending;
+    EXPECT_LT(hard.deep, 1e-6) << bending;
+    EXPECT_TRUE(!bending || soft.deep > 4 * hard.deep) << soft.deep << " m, " << hard.deep << " m";
+    EXPECT_LT(hard.deepest, 11e-6) << bending << ": the radius of the thread";
     EXPECT_EQ(hard.in_hole, 0) << bending;
     EXPECT_EQ(hard.troubles, "") << bending;
   }
