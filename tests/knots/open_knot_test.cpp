@@ -185,15 +185,25 @@ TEST(Trefoil, S25DrawnToFiveRadiiOfTheThread) {
   EXPECT_LT(knot.overlap(), 0.1 * t.diameter);
 }
 
-/// Pull of an open knot that is drawn tight at so many m/s until the thread is 10 mm shorter than it is long [N].
-double drawn(OpenKnotTest t, double friction, double speed) {
+/// The forces on an open knot that is drawn tight until the thread is 10 mm shorter than it is long: means of the last tenth of a
+/// millimetre [N]. `friction`: mu times the sum of the contact forces, which is the part of friction by virtual work.
+struct Drawn {
+  double pull = 0, friction = 0;
+};
+Drawn drawn(OpenKnotTest t, double friction, double speed) {
   OpenKnot knot(t);
   knot.relax(500, 0);
   EXPECT_GT(knot.shortening(), 11e-3) << "it slides all along its braid when it gets there";
   knot.set_friction(friction);
-  while (knot.shortening() > 10e-3) knot.draw(3e-6, speed);
+  Drawn sum;
+  int counted = 0;
+  while (knot.shortening() > 10e-3) {
+    knot.draw(3e-6, speed);
+    if (knot.shortening() > 10.1e-3) continue;
+    sum.pull += knot.pull(), sum.friction += friction * knot.pressing(), ++counted;
+  }
   EXPECT_EQ(knot.passages(), 0);
-  return knot.pull();
+  return {sum.pull / counted, sum.friction / counted};
 }
 
 OpenKnotTest three_turns() {
@@ -205,11 +215,21 @@ OpenKnotTest three_turns() {
 // Jawed, Dieleman, Audoly and Reis (Phys. Rev. Lett. 115, 118302, 2015): the force that draws a knot of n turns tight, for n >> 1,
 //     n^2 h / e = x^2 / ((x + l/R) 8 sqrt3 pi^2),   n^2 F h^2 / B = mu x^3 / (96 sqrt3 pi^2),   x = 8 (K - E) / m - 4 K,  l/R = 4 K(m),
 // h radius of the thread, e how much shorter it is: 221.7 uN at n = 3, mu = 0.119, e = 10 mm. At 3 mm/s it is 13 % more: inertia.
-// At n = 5 theory says 776 uN and the loop has R = 0.35 mm: it takes 870, with segments of 20 as of 30 um, as the theory is one of thin
-// threads too, and sqrt(h / R) is 0.18 there.
 TEST(Braid, DrawnTightMeetsTheTheoryOfManyTurns) {
-  EXPECT_NEAR(drawn(three_turns(), 0.119, 1.5e-3), 221.7e-6, 0.1 * 221.7e-6);
-  EXPECT_LT(drawn(three_turns(), 0.06, 1.5e-3), 0.7 * 221.7e-6) << "it is friction";
+  EXPECT_NEAR(drawn(three_turns(), 0.119, 1.5e-3).pull, 221.7e-6, 0.1 * 221.7e-6);
+  EXPECT_LT(drawn(three_turns(), 0.06, 1.5e-3).pull, 0.7 * 221.7e-6) << "it is friction";
+}
+
+// 776.5 uN at n = 5. The theory leaves out what bending gives back, B / 2 R^2 against the force of friction, and the tension of the strands
+// against their stiffness, F / 2 B k^2; both are small for thin threads, and here, where the loop has R = 0.35 mm, 15 and 18 %. The part of
+// friction is 832, 836 and 832 uN with segments of 22, 30 and 40 um, 7 % above it, the whole pull 842 to 887. The loop is drawn into the braid:
+// with segments of 0.2 mm in the loop friction is 958.
+TEST(Braid, OfFiveTurnsDrawnTightMeetsItInTheForceOfFriction) {
+  OpenKnotTest t;
+  t.turns = 5, t.loop = 1.7e-3, t.braid = 1.2e-3, t.tail = 14e-3, t.fine = t.coarse = 40e-6;
+  const Drawn five = drawn(t, 0.119, 1.5e-3);
+  EXPECT_NEAR(five.friction, 776.5e-6, 0.1 * 776.5e-6);
+  EXPECT_NEAR(five.pull, five.friction, 0.08 * five.friction);
 }
 
 }  // namespace open_knot_test
