@@ -9,8 +9,8 @@
 
 namespace swage::dynamics {
 
-DisplacementSpace::DisplacementSpace(uint32_t max_unknowns, uint32_t max_dense)
-    : F_(max_unknowns), negative_F_(max_dense), H_(size_t{max_dense} * max_dense), pivot_(max_dense) {}
+DisplacementSpace::DisplacementSpace(uint32_t max_unknowns)
+    : F_(max_unknowns), negative_F_(max_unknowns), H_(size_t{max_unknowns} * max_unknowns), pivot_(max_unknowns) {}
 
 size_t DisplacementSpace::begin(const Island& island) noexcept {
   island_ = &island;

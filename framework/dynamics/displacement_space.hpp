@@ -11,9 +11,9 @@
 
 namespace swage::dynamics {
 
-class DisplacementSpace : public Space {
+class DisplacementSpace final : public Space {
  public:
-  explicit DisplacementSpace(uint32_t max_unknowns) : DisplacementSpace(max_unknowns, max_unknowns) {}
+  explicit DisplacementSpace(uint32_t max_unknowns);
 
   size_t begin(const Island& island) noexcept override;
   bool start(double* d) noexcept override;
@@ -28,20 +28,14 @@ class DisplacementSpace : public Space {
   double moved(const double* d) noexcept override { return length(d); }
   void finish(const double* z, double* d) noexcept override;
 
- protected:
-  /// `max_dense`: most unknowns of an island that is solved with the dense H.
-  DisplacementSpace(uint32_t max_unknowns, uint32_t max_dense);
-  const Island& island() const noexcept { return *island_; }
+ private:
   /// Updates the stiffnesses of the drives to those at d. True when none changed.
   bool update_drives(const double* d) noexcept;
 
-  bool factored_ = false;  // H_ holds the factors of the last system
-  std::vector<double> F_;
-
- private:
   const Island* island_ = nullptr;
   size_t size_ = 0;
-  std::vector<double> negative_F_, H_;
+  bool factored_ = false;  // H_ holds the factors of the last system
+  std::vector<double> F_, negative_F_, H_;
   std::vector<uint32_t> pivot_;
 };
 

@@ -4,7 +4,7 @@
 // constraints there and a search direction; z belongs to one of three spaces:
 //
 //     DisplacementSpace     displacements of the blocks: few where many contacts hold one body
-//     SparseSpace           the same where bands are among the blocks: sparse
+//     SparseSpace           the same where bands are among the blocks: sparse, and only of what a constraint touches
 //     ContactSpace          forces of the constraints: flexible bodies answer with a mobility for these
 //
 // All take the same steps but for rounding. [rt]; built on [main].
