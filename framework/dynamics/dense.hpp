@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,35 +14,6 @@
 #include "dynamics/lines.hpp"
 
 namespace swage::dynamics {
-
-/// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: P as n row indices.
-inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
-  for (size_t i = 0; i < n; ++i) row[i] = static_cast<uint32_t>(i);
-  for (size_t k = 0; k < n; ++k) {
-    size_t best = k;
-    double largest = std::abs(A[k * n + k]);
-    for (size_t i = k + 1; i < n; ++i) {
-      const double candidate = std::abs(A[i * n + k]);
-      if (candidate > largest) largest = candidate, best = i;
-    }
-    if (!(largest > 0) || !std::isfinite(largest)) return false;
-    if (best != k) {
-      for (size_t j = 0; j < n; ++j) std::swap(A[k * n + j], A[best * n + j]);
-      std::swap(row[k], row[best]);
-    }
-
-    const double inverse = 1 / A[k * n + k];
-    for (size_t i = k + 1; i < n; ++i) {
-      const double l = A[i * n + k] * inverse;
-      A[i * n + k] = l;
-      if (l == 0) continue;
-      const auto rest = static_cast<Eigen::Index>(n - k - 1);
-      Eigen::Map<Eigen::VectorXd>(A + i * n + k + 1, rest) -=
-          l * Eigen::Map<const Eigen::VectorXd>(A + k * n + k + 1, rest);
-    }
-  }
-  return true;
-}
 
 /// Sign of the determinant from the factors of lu_factor: -1, 0 or 1.
 inline int determinant_sign(size_t n, const double* LU, const uint32_t* row) noexcept {
@@ -71,6 +43,36 @@ inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const doub
 }
 
 namespace dense {
+
+/// The row of the largest entry of a column from the diagonal on; n where that is zero or not finite.
+inline size_t pivot_row(size_t n, size_t k, const double* A) noexcept {
+  size_t best = k;
+  double largest = std::abs(A[k * n + k]);
+  for (size_t i = k + 1; i < n; ++i)
+    if (const double candidate = std::abs(A[i * n + k]); candidate > largest) largest = candidate, best = i;
+  return largest > 0 && std::isfinite(largest) ? best : n;
+}
+
+template <class V>
+[[gnu::always_inline]] inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
+  for (size_t i = 0; i < n; ++i) row[i] = static_cast<uint32_t>(i);
+  for (size_t k = 0; k < n; ++k) {
+    const size_t best = pivot_row(n, k, A);
+    if (best == n) return false;
+    if (best != k) {
+      std::swap_ranges(A + k * n, A + (k + 1) * n, A + best * n);
+      std::swap(row[k], row[best]);
+    }
+    const double inverse = 1 / A[k * n + k];
+    for (size_t i = k + 1; i < n; ++i) {
+      const double l = A[i * n + k] * inverse;
+      A[i * n + k] = l;
+      if (l != 0) lines::take<V>(n - k - 1, l, A + k * n + k + 1, A + i * n + k + 1);
+    }
+  }
+  return true;
+}
+SWAGE_FOURS inline bool lu_factor_by_fours(size_t n, double* A, uint32_t* row) noexcept { return lu_factor<toolkit::Fours>(n, A, row); }
 
 /// Eliminates two pivots at a time: the operations on each number and their order are those of one at a time, with half the loads and
 /// stores.
@@ -124,6 +126,11 @@ SWAGE_FOURS inline void solve_transposed_by_fours(size_t n, const double* U, dou
 }
 
 }  // namespace dense
+
+/// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: P as n row indices.
+inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
+  return toolkit::has_fours() ? dense::lu_factor_by_fours(n, A, row) : dense::lu_factor<toolkit::Twos>(n, A, row);
+}
 
 /// Factors a symmetric, positive definite A in place as L D L^T: reads its upper half and leaves D L^T there. False
 /// when a pivot is not above zero or not finite.
