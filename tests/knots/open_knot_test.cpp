@@ -222,14 +222,15 @@ TEST(Braid, DrawnTightMeetsTheTheoryOfManyTurns) {
 
 // 776.5 uN at n = 5. The theory leaves out what bending gives back, B / 2 R^2 against the force of friction, and the tension of the strands
 // against their stiffness, F / 2 B k^2; both are small for thin threads, and here, where the loop has R = 0.35 mm, 15 and 18 %. The part of
-// friction is 832, 836 and 832 uN with segments of 22, 30 and 40 um, 7 % above it, the whole pull 842 to 887. The loop is drawn into the braid:
-// with segments of 0.2 mm in the loop friction is 958.
+// friction is 832, 836 and 832 uN with segments of 22, 30 and 40 um, 7 % above it, the whole pull 842 to 897. The loop is drawn into the braid:
+// with segments of 0.2 mm in the loop friction is 941, which fails.
 TEST(Braid, OfFiveTurnsDrawnTightMeetsItInTheForceOfFriction) {
   OpenKnotTest t;
   t.turns = 5, t.loop = 1.7e-3, t.braid = 1.2e-3, t.tail = 14e-3, t.fine = t.coarse = 40e-6;
   const Drawn five = drawn(t, 0.119, 1.5e-3);
   EXPECT_NEAR(five.friction, 776.5e-6, 0.1 * 776.5e-6);
-  EXPECT_NEAR(five.pull, five.friction, 0.08 * five.friction);
+  EXPECT_GT(five.pull, five.friction);
+  EXPECT_LT(five.pull - five.friction, 119e-6) << "N, B / 2 R^2";
 }
 
 }  // namespace open_knot_test
