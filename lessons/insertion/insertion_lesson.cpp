@@ -34,6 +34,11 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   // the whole card would be one metric more than a scene has room for
   const auto tells = [&](size_t i) {
     if (i == index(Measure::kTwist)) return !has_far();
+    if (i == index(Measure::kWoundWide)) return !has_cut();
+    if (i == index(Measure::kPointsExit)) return params.task == Task::kStitch;
+    const bool several = i == index(Measure::kMostOblique) || i == index(Measure::kUnequal) || i == index(Measure::kUneven) ||
+                         i == index(Measure::kPointsEven) || i == index(Measure::kPointsOblique);
+    if (several) return params.stitches > 1;
     const bool tails = (i >= index(Measure::kTailLeast) && i <= index(Measure::kCutsAstray)) || i == index(Measure::kPointsTails);
     if (tails) return has_cut();
     const bool loops = i == index(Measure::kLoopLeast) || i == index(Measure::kLoopMost) || i == index(Measure::kPointsLoops);

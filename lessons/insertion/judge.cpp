@@ -15,6 +15,12 @@ constexpr double kGoodWound = 2;
 // Share of the needle between the surface and the jaws from which a second grasp counts as one on the other side.
 constexpr double kOtherSide = 0.02;
 
+// Points deducted for an exit wound in radii of the wire, of 15: none up to what careful hands leave, all from the greatest entry wound on.
+double exit_points(const Rules& rules, double wound) {
+  if (rules.task != Task::kStitch || wound <= kGoodWound) return 0;
+  return 15 * std::min(1.0, (wound - kGoodWound) / std::max(1e-9, rules.max_wound - kGoodWound));
+}
+
 double along_surface(const Vec3& way, const Vec3& normal) { return (way - way.dot(normal) * normal).norm(); }
 
 }  // namespace
@@ -166,6 +172,7 @@ void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) co
   SutureWatch::finish(rules_.suture, memory.suture);
   memory.worst_entry = std::max(memory.worst_entry, memory.entry_distance);
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
+  memory.worst_exit = std::max(memory.worst_exit, exit_wound(look, rules_.far));
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
   FarEdge::finish(memory.far, look.far.wound);
@@ -226,6 +233,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
   Points lost;
   lost.wound = 30 * std::clamp((std::max({wound(look), memory.worst_wound, memory.far.worst_wound}) - 1) / 2, 0.0, 1.0);
+  lost.exit = exit_points(rules_, std::max(memory.worst_exit, exit_wound(look, rules_.far)));
   lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
   lost.entry = 15 * std::clamp(std::max(memory.entry_distance, memory.worst_entry) / rules_.tolerance, 0.0, 1.0);
   lost.bending = lessons::bending_points(memory.bending);

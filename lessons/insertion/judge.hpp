@@ -100,6 +100,7 @@ struct Memory {
   double deflected_s = -1e3;                   // s, when the last deflection was counted
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
+  double worst_exit = 0;                       // 1, exit wound of finished stitches
   double wall = 0;                             // m, thickness of the tissue at the entry
   double exit_angle = 0, exit_distance = 0;    // rad, m, of the last exit
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
@@ -130,8 +131,9 @@ struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
   double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
   double step = 0, tails = 0;                                            // of two edges; of stitches that are cut off
+  double exit = 0;                                                       // of the exit wound
   double sum() const {
-    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails;
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails + exit;
   }
 };
 
@@ -191,6 +193,8 @@ class Judge {
 
 /// Whether a part of the needle is in the tissue or in the far edge.
 inline bool inside(const Look& look) { return look.in_tissue || look.far.in_tissue; }
+/// The wound where the needle came out of the outer surface, 0 before: that of the far edge where there is one.
+inline double exit_wound(const Look& look, const FarRules& far) { return far.there ? look.far.exit_wound : look.exit_wound; }
 /// The greater wound of the two edges.
 inline double wound(const Look& look) { return std::max(look.wound, look.far.wound); }
 

@@ -236,6 +236,43 @@ TEST(InsertionJudge, AStitchGoesOutIsTakenThereAndComesThrough) {
   EXPECT_EQ(a.memory.exit_angle, 0.2);
 }
 
+// a wound of careful hands costs nothing at the exit, and the worst one of several stitches counts
+TEST(InsertionJudge, AWideExitCostsPointsAndFailsNoStitch) {
+  const auto sewn = [](double first, double second, Task task) {
+    Rules rules;
+    rules.task = task;
+    rules.stitches = 2;
+    rules.max_wound = 6;
+    Attempt a(rules);
+    Finding f;
+    for (const double wound : {first, second}) {
+      a.hold();
+      a.enter();
+      f = a.drive(task == Task::kInsert ? 0.36 : 0.3, 20, 0);
+      a.now.exited = true;
+      a.now.exit_wound = wound;
+      if (task == Task::kInsert) continue;
+      a.go();
+      a.now.held = false;
+      a.go();
+      a.hold();
+      a.now.grip_s = 0.1;
+      a.go();
+      a.now.passed = true;
+      f = a.go();
+      a.now.in_tissue = false;
+    }
+    EXPECT_EQ(f.end, End::kPassed);
+    return f.lost;
+  };
+  EXPECT_EQ(sewn(1.7, 2, Task::kStitch).exit, 0);
+  EXPECT_NEAR(sewn(1.7, 3, Task::kStitch).exit, 15 * 0.25, 1e-12);
+  EXPECT_NEAR(sewn(4, 1.7, Task::kStitch).exit, 15 * 0.5, 1e-12) << "the first of two stitches";
+  EXPECT_EQ(sewn(9, 9, Task::kStitch).exit, 15) << "and not more";
+  EXPECT_EQ(sewn(9, 9, Task::kStitch).wound, sewn(1, 1, Task::kStitch).wound) << "the entry's points are others";
+  EXPECT_EQ(sewn(9, 9, Task::kInsert).exit, 0) << "an insertion has no exit to make";
+}
+
 TEST(InsertionJudge, TheNextStitchBeginsWhereTheLastOneEnded) {
   Rules rules;
   rules.task = Task::kStitch;
