@@ -50,6 +50,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
   phase_[index(Stage::kDrive)] = builder.phase("drive", "Drive it in along its own curve.");
+  phase_[index(Stage::kRegrasp)] = builder.phase("regrasp", "The jaws are at the tissue: let go, and take the needle nearer its swage.");
   if (has_far()) phase_[index(Stage::kCross)] = builder.phase("cross", "On across the gap, into the other edge and out of it.");
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");

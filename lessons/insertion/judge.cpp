@@ -14,6 +14,9 @@ namespace {
 constexpr double kGoodWound = 2;
 // Share of the needle between the surface and the jaws from which a second grasp counts as one on the other side.
 constexpr double kOtherSide = 0.02;
+// m along the needle between the surface and the middle of the jaws. Nearer jaws push on the tissue: their
+// tips are 0.3 mm wide and widen behind. With less the trainee is told too late, with more while there is still way to go.
+constexpr double kJawsReach = 0.5e-3;
 
 // Points deducted for an exit wound in radii of the wire, of 15: none up to what careful hands leave, all from the greatest entry wound on.
 double exit_points(const Rules& rules, double wound) {
@@ -153,15 +156,27 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
   // a needle that sticks in the tissue has not been dropped
   finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || inside(look));
   if (finding.dropped) memory.drops += 1;
-  finding.stuck = inside(look) && !look.held;
+  follow_jaws(memory, look);
+  const bool asked = memory.reached != 0 || (memory.exited != 0 && rules_.task == Task::kStitch);
+  finding.stuck = inside(look) && !look.held && !asked;
   finding.angle_off = (look.in_tissue && look.angle > rules_.in_angle) || (look.far.in_tissue && look.far.angle > rules_.in_angle);
-  finding.angle_good = inside(look) && !finding.angle_off;
+  finding.angle_good = inside(look) && !finding.angle_off && (look.held || !asked);
   finding.torn = wound(look) > kGoodWound;
 
   // the other side: let go once the point is out, and grasped again beyond the exit
   const double crossed = rules_.far.there ? look.far.s : look.s;
   if (memory.exited != 0 && !look.held) memory.let_go = 1;
   if (memory.let_go != 0 && look.held && look.grip_s < crossed - kOtherSide) memory.retaken = 1;
+}
+
+/// Notes jaws that are at the tissue before the needle is in far enough, or out: it must be taken again further back.
+void Judge::follow_jaws(Memory& memory, const Look& look) const noexcept {
+  if (!inside(look)) memory.reached = 0;
+  if (!look.in_tissue || !look.held || memory.exited != 0) return;
+  const bool more = rules_.task == Task::kStitch || look.s < rules_.drive;
+  const double room = (look.grip_s - look.s) * look.length;  // m
+  if (more && room < kJawsReach) memory.reached = 1;
+  if (room > 2 * kJawsReach) memory.reached = 0;
 }
 
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
@@ -174,7 +189,7 @@ void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) co
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
   memory.worst_exit = std::max(memory.worst_exit, exit_wound(look, rules_.far));
   if (memory.stitch.count >= rules_.stitches) return;
-  memory.exited = memory.let_go = memory.retaken = memory.through = 0;
+  memory.exited = memory.let_go = memory.retaken = memory.through = memory.reached = 0;
   FarEdge::finish(memory.far, look.far.wound);
   SutureWatch::go_on(rules_.suture, memory.suture);
   finding.stitched = true;
@@ -185,6 +200,7 @@ Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
   if (memory.retaken != 0) return to_cut ? Stage::kCutOff : Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
+  if (memory.reached != 0) return Stage::kRegrasp;
   if (memory.far.near_out != 0) return Stage::kCross;
   if (inside(look)) return Stage::kDrive;
   return look.held ? Stage::kAim : Stage::kTake;

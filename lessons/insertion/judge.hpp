@@ -111,6 +111,7 @@ struct Memory {
   double reach_s = 0, bending = 0;             // m s; 1, the greatest
   double deepest = 0;                          // greatest share of the needle inside
   TwistState twist;
+  double reached = 0;                          // 0 or 1: the jaws have reached the tissue, and the needle was not taken further back since
   double exited = 0, let_go = 0, retaken = 0, through = 0;
   StitchState stitch;
   StrayState stray;
@@ -118,7 +119,7 @@ struct Memory {
   FarState far;
 };
 
-enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff };
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff, kRegrasp };
 enum class End {
   kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kStep, kCount
 };
@@ -145,7 +146,7 @@ struct Finding {
   bool near = false;                           // the point is at the place of the entry
   bool exit_near = false;                      // the exit is at its mark
   bool angle_good = false, angle_off = false;  // in the tissue
-  bool stuck = false;                          // the needle was let go in the tissue
+  bool stuck = false;                          // the needle was let go in the tissue, where it should not be
   bool torn = false;                           // the wound is larger than careful hands leave
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
@@ -179,6 +180,7 @@ class Judge {
   static void follow_twist(TwistState& twist, const Look& look) noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_jaws(Memory& memory, const Look& look) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;
   Grip how_held(const Look& look) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;

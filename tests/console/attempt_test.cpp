@@ -290,6 +290,13 @@ TEST(Attempts, ARecordedHandIsNobodysProgress) {
   for (int row = 0; row < model.rowCount(); ++row) modes += model.index(row, console::AttemptsModel::kMode).data().toString();
   EXPECT_EQ(modes.count("Recorded hand, not counted"), 2) << modes.join(", ").toStdString();
   EXPECT_EQ(modes.count("Practice"), 1);
+  // which one, where the store tells it; a device of a person may have brackets too
+  all[0].device = "swage.device.skilled (novice)";
+  all[2].device = "swage.device.arm (left)";
+  model.set_attempts({all.begin(), all.end()});
+  EXPECT_EQ(model.index(0, console::AttemptsModel::kMode).data().toString(), "Recorded hand: novice");
+  EXPECT_EQ(model.index(0, console::AttemptsModel::kMode).data(Qt::ToolTipRole).toString(), "An attempt by a recorded hand counts for nobody.");
+  EXPECT_EQ(model.index(2, console::AttemptsModel::kMode).data().toString(), "Practice");
 }
 
 class OwnLessonOnPage : public WindowTest {

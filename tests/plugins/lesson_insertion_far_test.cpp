@@ -157,9 +157,13 @@ TEST(TwoEdges, AngleAndWoundOfBothEdgesCount) {
 // let go between the edges the needle is stuck, and it is taken there only beyond the far one
 TEST(TwoEdges, ItIsTakenBeyondTheFarEdge) {
   Bite a;
-  a.near_in(1e-3), a.near_out(1e-3), a.far_in(1e-3), a.far_out(1e-3);
+  a.near_in(1e-3), a.near_out(1e-3), a.far_in(1e-3);
   a.now.held = false;
   EXPECT_TRUE(a.go().stuck);
+  a.hold();
+  a.far_out(1e-3);
+  a.now.held = false;
+  EXPECT_FALSE(a.go().stuck) << "out of the far edge it is to be let go";
   a.hold();
   a.now.grip_s = 0.3;  // between the edges: the far one is crossed at 0.2, the near one at 0.4
   EXPECT_EQ(a.go().stage, Stage::kRetake);

@@ -213,6 +213,40 @@ TEST(InsertionJudge, WhatSticksInTheTissueIsNotDropped) {
   EXPECT_EQ(a.memory.drops, 0);
 }
 
+// 141: a needle that is held near its point is driven in two grasps
+TEST(InsertionJudge, JawsAtTheTissueAreToTakeTheNeedleFurtherBack) {
+  Rules rules;
+  rules.task = Task::kStitch;
+  Attempt a(rules);
+  a.hold();
+  a.now.grip_s = 0.35;
+  a.enter();
+  EXPECT_EQ(a.drive(0.2, 20, 0).stage, Stage::kDrive) << "0.6 mm are left of 4";
+  EXPECT_EQ(a.drive(0.24, 20, 0).stage, Stage::kRegrasp);
+  a.now.held = false;
+  const Finding free = a.go();
+  EXPECT_EQ(free.stage, Stage::kRegrasp);
+  EXPECT_FALSE(free.stuck) << "it is let go as asked";
+  a.hold();
+  a.now.grip_s = 0.3;
+  EXPECT_EQ(a.go().stage, Stage::kRegrasp) << "no further back";
+  a.now.grip_s = 0.7;
+  EXPECT_EQ(a.go().stage, Stage::kDrive);
+  a.now.held = false;
+  EXPECT_TRUE(a.go().stuck) << "nobody has asked for that";
+}
+
+// an insertion ends where enough of the needle is in: jaws that come to the tissue there are right
+TEST(InsertionJudge, JawsReachTheTissueTooEarlyOnlyBeforeEnoughIsIn) {
+  Attempt a;
+  a.hold();
+  a.now.grip_s = 0.4;
+  a.enter();
+  EXPECT_EQ(a.drive(0.27, 20, 0).stage, Stage::kDrive);
+  EXPECT_EQ(a.drive(0.3, 20, 0).stage, Stage::kRegrasp);
+  EXPECT_EQ(a.drive(0.36, 20, 0).end, End::kPassed) << "nothing forbids it";
+}
+
 TEST(InsertionJudge, AStitchGoesOutIsTakenThereAndComesThrough) {
   Rules rules;
   rules.task = Task::kStitch;
