@@ -53,11 +53,13 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   painter.save();
   painter.setClipRect(panel.at);
   paint_background(painter, job.canvas, panel.at);
+  Panel seen = panel;  // with the eye of the picture, so that marks stay on what they mark while the view moves
   if (const Panel* last = drawn(job, index)) {
     // until the next picture comes, one of another size is stretched
     const QRect& part = last->view.part;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, part.size() != panel.view.part.size());
     painter.drawImage(panel.at, job.picture.image, part);
+    if (part.size() == panel.view.part.size()) seen.view.eye = last->view.eye;
   }
   painter.translate(panel.at.topLeft());
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
@@ -72,7 +74,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
   }
-  marks_.paint(overlay, panel, job.leads);
+  marks_.paint(overlay, seen, job.leads);
   if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
   painter.restore();
 }

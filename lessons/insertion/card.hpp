@@ -265,7 +265,7 @@ inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
     {"insert.good", "In the tissue, within the angle.", kHeard, 0},
     {"insert.angle_off", "In the tissue, leaning more than the angle.", kFelt, 0},
-    {"needle.stuck", "In the tissue, held by nobody.", kHeard, 0},
+    {"needle.stuck", "In the tissue, held by nobody, where it is not to be let go.", kHeard, 0},
     {"tissue.tear", "The wound is larger than careful hands leave it.", kHeard, 0},
     lessons::kTooHard,
     {"target.done", "It went in here, and the task is done.", kHeard, 0},

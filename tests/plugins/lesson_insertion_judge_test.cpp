@@ -222,7 +222,7 @@ TEST(InsertionJudge, JawsAtTheTissueAreToTakeTheNeedleFurtherBack) {
   a.now.grip_s = 0.35;
   a.enter();
   EXPECT_EQ(a.drive(0.2, 20, 0).stage, Stage::kDrive) << "0.6 mm are left of 4";
-  EXPECT_EQ(a.drive(0.24, 20, 0).stage, Stage::kRegrasp);
+  EXPECT_EQ(a.drive(0.27, 20, 0).stage, Stage::kRegrasp);
   a.now.held = false;
   const Finding free = a.go();
   EXPECT_EQ(free.stage, Stage::kRegrasp);
@@ -243,7 +243,7 @@ TEST(InsertionJudge, JawsReachTheTissueTooEarlyOnlyBeforeEnoughIsIn) {
   a.now.grip_s = 0.4;
   a.enter();
   EXPECT_EQ(a.drive(0.27, 20, 0).stage, Stage::kDrive);
-  EXPECT_EQ(a.drive(0.3, 20, 0).stage, Stage::kRegrasp);
+  EXPECT_EQ(a.drive(0.32, 20, 0).stage, Stage::kRegrasp);
   EXPECT_EQ(a.drive(0.36, 20, 0).end, End::kPassed) << "nothing forbids it";
 }
 
