@@ -253,7 +253,7 @@ bool SceneInput::key_up(QKeyEvent* event) {
   const qint64 held = press == pressed_.end() ? 0 : static_cast<qint64>(event->timestamp()) - static_cast<qint64>(press->at);
   const qint64 early = press == pressed_.end() ? 0 : std::min(held, kLongest_ms) - (handled_.elapsed() - press->handled_ms);
   if (early < kLate_ms) return release(event);
-  QTimer::singleShot(early, this, [this, key = event->key(), modifiers = event->modifiers(), number = press->number] {
+  QTimer::singleShot(static_cast<int>(early), this, [this, key = event->key(), modifiers = event->modifiers(), number = press->number] {
     const auto now = pressed_.find(key);
     QKeyEvent up(QEvent::KeyRelease, key, modifiers);
     if (now != pressed_.end() && now->number == number) release(&up);  // not pressed again, and not left
