@@ -117,7 +117,7 @@ void Overlay::pill(const QPointF& centre, const QString& text, const QFont& font
   pill(room(centre, text, font, 0), text, font, 0);
 }
 
-void Overlay::scale_bar(double mm_per_pixel, double left) {
+void Overlay::scale_bar(double mm_per_pixel, double left, bool ground) {
   const double mm = nice_scale_mm(mm_per_pixel, kScaleShare * area_.width()), px = mm / mm_per_pixel;
   const double x = area_.left() + left + 18, y = area_.bottom() - 18;
   const QRectF words(x, y - 26, std::max(px, 60.0), 18);
@@ -129,7 +129,7 @@ void Overlay::scale_bar(double mm_per_pixel, double left) {
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setPen(Qt::NoPen);
   p_.setBrush(back);
-  p_.drawRoundedRect(all.adjusted(-kAround_px, -2, kAround_px, kAround_px), kAround_px, kAround_px);
+  if (ground) p_.drawRoundedRect(all.adjusted(-kAround_px, -2, kAround_px, kAround_px), kAround_px, kAround_px);
   for (const auto& [colour, width] : {std::pair{ui_["view_bottom"], 4.5}, {ui_["view_text"], 2.0}}) {
     p_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
     p_.drawLine(QPointF(x, y), QPointF(x + px, y));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/view3d/scene_painter.hpp"
 
+#include <QFontMetricsF>
 #include <QLinearGradient>
 #include <algorithm>
 #include <utility>
@@ -165,8 +166,11 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   }
   // the size of a wound is a cue, hidden in a Test; the wound itself is always visible
   Overlay overlay(painter, inset.at, shown_.ui);
-  overlay.caption(shown_.cues_shown ? wound_words() : tr("Wound"));
-  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
+  constexpr double kAround_px = 32;
+  const bool narrow = QFontMetricsF(painter.font()).horizontalAdvance(wound_words()) + kAround_px > inset.at.width();
+  const QString size = QStringLiteral("%1 %").arg(100 * marks_.wound().ratio, 0, 'f', 0);
+  overlay.caption(!shown_.cues_shown ? tr("Wound") : narrow ? size : wound_words());
+  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()), 0, false);
 }
 
 // left and right end of the lower edge that the insets leave free, px
