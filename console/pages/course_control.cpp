@@ -11,7 +11,7 @@ namespace swage::console {
 
 CourseControl::CourseControl(const LessonsModel* lessons, SetupPanel* setup, QWidget* page)
     : QObject(page), lessons_(lessons), setup_(setup), page_(page) {
-  // a name that is typed changes with each letter and with its completion: its course is read once, when the keys have been handled
+  // a name that is typed changes with each letter: its course is read once, when the keys have been handled
   later_.setSingleShot(true);
   later_.setInterval(0);
   connect(&later_, &QTimer::timeout, this, &CourseControl::refresh);
