@@ -27,6 +27,12 @@ QString verdict(const record::AttemptRow& a) {
   return sign + verdict_text(qt(a.outcome));
 }
 
+QString mode_words(const record::AttemptRow& a) {
+  if (!is_hand(a)) return mode_text(qt(a.mode));
+  const QString name = hand_name(a);
+  return name.isEmpty() ? AttemptsModel::tr("Recorded hand, not counted") : AttemptsModel::tr("Recorded hand: %1").arg(name);
+}
+
 }  // namespace
 
 void AttemptsModel::set_attempts(const std::vector<record::AttemptRow>& attempts) {
@@ -48,6 +54,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == kId) return qt(a.id);
   if (role == Qt::ToolTipRole && index.column() == kLesson) return qt(a.lesson_id);
+  if (role == Qt::ToolTipRole && index.column() == kMode && is_hand(a)) return tr("An attempt by a recorded hand counts for nobody.");
   if (role == kSortRole) {
     if (index.column() == kWhen) return qt(a.started_utc);
     if (index.column() == kScore) return has_score(a) ? a.score : -1.0;
@@ -61,7 +68,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kLesson:
       return said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title);
     case kMode:
-      return is_hand(a) ? tr("Recorded hand, not counted") : mode_text(qt(a.mode));
+      return mode_words(a);
     case kVerdict:
       return verdict(a);
     case kScore:
@@ -103,6 +110,14 @@ QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int
 }
 
 bool is_hand(const record::AttemptRow& attempt) { return attempt.is_scripted || attempt.mode == "hand"; }
+
+// a list of attempts has the name in brackets after the device: "swage.device.skilled (novice)"
+QString hand_name(const record::AttemptRow& attempt) {
+  const std::string& device = attempt.device;
+  const size_t open = device.rfind(" (");
+  if (!is_hand(attempt) || open == std::string::npos || device.back() != ')') return {};
+  return said(device.substr(open + 2, device.size() - open - 3));
+}
 
 bool counts(const record::AttemptRow& a) { return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed"); }
 

@@ -32,6 +32,8 @@ class AttemptsModel : public QAbstractTableModel {
 
 /// Whether a scripted or recorded hand made the attempt: it is shown, but is no person's progress.
 bool is_hand(const record::AttemptRow& attempt);
+/// The name of that hand in its lesson, for people: "novice"; "" where it is not known.
+QString hand_name(const record::AttemptRow& attempt);
 /// Whether the attempt counts for its person: judged, not void, not by a recorded hand. All counts and curves use only such attempts.
 bool counts(const record::AttemptRow& attempt);
 /// Only an attempt that was passed has a score.

@@ -19,7 +19,8 @@ QString entry_text(const record::AttemptRow& a) {
                                                        verdict_text(QString::fromStdString(a.is_void ? "void" : a.outcome)))};
   if (has_score(a)) words += AttemptChooser::tr("%1 points").arg(QString::number(a.score, 'f', 0));
   words += clock_text(a.simulated_s);
-  if (is_hand(a)) words += AttemptChooser::tr("recorded hand");
+  const QString hand = hand_name(a);
+  if (is_hand(a)) words += hand.isEmpty() ? AttemptChooser::tr("recorded hand") : AttemptChooser::tr("recorded hand: %1").arg(hand);
   return words.join(QStringLiteral(", "));
 }
 

@@ -11,13 +11,22 @@ namespace swage::console {
 
 CourseControl::CourseControl(const LessonsModel* lessons, SetupPanel* setup, QWidget* page)
     : QObject(page), lessons_(lessons), setup_(setup), page_(page) {
-  connect(setup, &SetupPanel::person_chosen, this, &CourseControl::refresh);
+  // a name that is typed changes with each letter: its course is read once, when the keys have been handled
+  later_.setSingleShot(true);
+  later_.setInterval(0);
+  connect(&later_, &QTimer::timeout, this, &CourseControl::refresh);
+  connect(setup, &SetupPanel::person_chosen, this, [this] {
+    stale_ = true;
+    later_.start();
+  });
   connect(setup, &SetupPanel::lesson_changed, this, &CourseControl::tell_closed);
 }
 
 void CourseControl::refresh() {
+  later_.stop();
+  stale_ = false;
   course_ = find_ ? find_(setup_->person()) : std::nullopt;
-  setup_->set_course(course_ ? course_->words : QString(), row());
+  setup_->set_course(course_ ? course_->words : QString(), row());  // it is fresh: row() reads nothing
   tell_closed();
 }
 
@@ -26,12 +35,17 @@ QString CourseControl::id_of(const QString& lesson_path) const {
   return row < 0 ? QString() : lessons_->at(row).id;
 }
 
-int CourseControl::row() const { return course_ && !course_->lesson_id.isEmpty() ? lessons_->row_of(course_->lesson_id) : -1; }
+const std::optional<CourseNext>& CourseControl::course() {
+  if (stale_) refresh();
+  return course_;
+}
 
-QString CourseControl::standing(const QString& lesson_path) const { return course_ ? course_->steps.value(id_of(lesson_path)) : QString(); }
+int CourseControl::row() { return course() && !course_->lesson_id.isEmpty() ? lessons_->row_of(course_->lesson_id) : -1; }
 
-ClosedLesson CourseControl::closed(const QString& lesson_path) const {
-  return course_ ? course_->closed.value(id_of(lesson_path)) : ClosedLesson{};
+QString CourseControl::standing(const QString& lesson_path) { return course() ? course_->steps.value(id_of(lesson_path)) : QString(); }
+
+ClosedLesson CourseControl::closed(const QString& lesson_path) {
+  return course() ? course_->closed.value(id_of(lesson_path)) : ClosedLesson{};
 }
 
 void CourseControl::tell_closed() { setup_->set_not_open(closed(setup_->lesson()).words); }

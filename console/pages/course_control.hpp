@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QSet>
+#include <QTimer>
 #include <functional>
 #include <optional>
 
@@ -34,13 +35,14 @@ class CourseControl : public QObject {
   const QString& reason() const { return reason_; }
 
   /// Row of the lesson that the course asks for next; -1 without one.
-  int row() const;
+  int row();
   /// How far the person is with a lesson; "" where it is of no course of theirs.
-  QString standing(const QString& lesson_path) const;
+  QString standing(const QString& lesson_path);
 
  private:
   QString id_of(const QString& lesson_path) const;
-  ClosedLesson closed(const QString& lesson_path) const;  // without words where the lesson may begin
+  const std::optional<CourseNext>& course();  // of the person who is chosen now
+  ClosedLesson closed(const QString& lesson_path);  // without words where the lesson may begin
   void tell_closed();
 
   const LessonsModel* lessons_;
@@ -48,6 +50,8 @@ class CourseControl : public QObject {
   QWidget* page_;
   CourseFinder find_;
   std::optional<CourseNext> course_;
+  QTimer later_;
+  bool stale_ = false;  // another person is chosen than the one whose course was read
   QSet<QString> agreed_;  // person and lesson, practised out of turn: asked once while the program runs
   QString reason_;
 };

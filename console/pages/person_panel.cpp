@@ -43,6 +43,9 @@ PersonPanel::PersonPanel(QWidget* parent)
   rows->addWidget(make_muted(tr("A row for each person chosen above: Ctrl or Shift and a click choose several, Ctrl+A all."), group));
   tabs_->addTab(group, tr("G&roup"));
   connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::show_group);
+  group_later_.setSingleShot(true);
+  group_later_.setInterval(0);
+  connect(&group_later_, &QTimer::timeout, this, &PersonPanel::draw_group);
   connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::choose_newest);
   column->addWidget(tabs_, 1);
 }
@@ -214,7 +217,10 @@ void PersonPanel::ask_lesson(MetricSeries& series) const {
   if (said.target.high) series.target.high = series.factor * *said.target.high;
 }
 
-void PersonPanel::show_group() {
+// Choosing a person changes the selection and the metric: the attempts of the group are read once, after both.
+void PersonPanel::show_group() { group_later_.start(); }
+
+void PersonPanel::draw_group() {
   if (!group_ || tabs_->currentWidget() != group_plot_->parentWidget() || !isVisible()) return;
   group_plot_->set_figure(group_figure(group_(lesson_->currentData().toString().toStdString()), metric_->currentData().toString()));
 }

@@ -9,6 +9,7 @@
 #include <QSortFilterProxyModel>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 
@@ -57,6 +58,7 @@ class PersonPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void draw_group();
   QWidget* make_head();
   QWidget* make_curve();
   QWidget* make_attempts();
@@ -73,6 +75,7 @@ class PersonPanel : public QWidget {
 
   MetricFinder finder_;
   ExpertFinder experts_;
+  QTimer group_later_;
   GroupFinder group_;
   GroupPlot* group_plot_ = nullptr;
   BandBars* bars_ = nullptr;

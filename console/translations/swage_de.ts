@@ -1188,6 +1188,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
+    <message>
+        <source>recorded hand: %1</source>
+        <translation>aufgezeichnete Hand: %1</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::AttemptExports</name>
@@ -1315,6 +1319,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Recorded hand, not counted</source>
         <translation>Aufgezeichnete Hand, zählt nicht</translation>
+    </message>
+    <message>
+        <source>Recorded hand: %1</source>
+        <translation>Aufgezeichnete Hand: %1</translation>
+    </message>
+    <message>
+        <source>An attempt by a recorded hand counts for nobody.</source>
+        <translation>Ein Versuch einer aufgezeichneten Hand zählt für niemanden.</translation>
     </message>
 </context>
 <context>
@@ -3060,7 +3072,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>right</source>
-        <translation>rechts</translation>
+        <translation>richtig</translation>
     </message>
     <message>
         <source>not yet</source>

@@ -117,19 +117,27 @@ void Overlay::pill(const QPointF& centre, const QString& text, const QFont& font
   pill(room(centre, text, font, 0), text, font, 0);
 }
 
-void Overlay::scale_bar(double mm_per_pixel, double left) {
+void Overlay::scale_bar(double mm_per_pixel, double left, bool ground) {
   const double mm = nice_scale_mm(mm_per_pixel, kScaleShare * area_.width()), px = mm / mm_per_pixel;
   const double x = area_.left() + left + 18, y = area_.bottom() - 18;
+  const QRectF words(x, y - 26, std::max(px, 60.0), 18);
+  const QRectF all = words.united(QRectF(x, y - 5, px, 6));
+  // an instrument or a dark wall may be behind it
+  constexpr double kAround_px = 6;
+  QColor back = ui_["card"];
+  back.setAlpha(150);
   p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(Qt::NoPen);
+  p_.setBrush(back);
+  if (ground) p_.drawRoundedRect(all.adjusted(-kAround_px, -2, kAround_px, kAround_px), kAround_px, kAround_px);
   for (const auto& [colour, width] : {std::pair{ui_["view_bottom"], 4.5}, {ui_["view_text"], 2.0}}) {
     p_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
     p_.drawLine(QPointF(x, y), QPointF(x + px, y));
     p_.drawLine(QPointF(x, y - 5), QPointF(x, y + 1));
     p_.drawLine(QPointF(x + px, y - 5), QPointF(x + px, y + 1));
   }
-  const QRectF words(x, y - 26, std::max(px, 60.0), 18);
   p_.drawText(words, Qt::AlignCenter, length_text(mm));
-  keep_clear(words.united(QRectF(x, y - 5, px, 6)));
+  keep_clear(all);
 }
 
 void Overlay::cue(const QPointF& at, const CueStyle& style, int slot, double clear_px) {

@@ -28,8 +28,8 @@ class Overlay {
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
   /// Longest scale bar over the width of the picture.
   static constexpr double kScaleShare = 0.22;
-  /// `left`: px that are covered at the left of the picture.
-  void scale_bar(double mm_per_pixel, double left = 0);
+  /// `left`: px that are covered at the left of the picture. `ground`: over what may be dark; a small close-up has no room for one.
+  void scale_bar(double mm_per_pixel, double left = 0, bool ground = true);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
   /// `clear_px`: radius of a ring drawn instead of a dot, so that the place itself stays visible.
   void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);

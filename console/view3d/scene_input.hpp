@@ -6,6 +6,8 @@
 // whole picture. [main]
 #pragma once
 
+#include <QElapsedTimer>
+#include <QHash>
 #include <QObject>
 #include <QPointF>
 #include <QString>
@@ -72,6 +74,7 @@ class SceneInput : public QObject {
   bool microscope_key(const QKeyEvent& event);
   static bool moves_instrument(int key);
   bool camera_key(int key);
+  bool release(QKeyEvent* event);
 
   QWidget* widget_;
   const SceneState& scene_;
@@ -84,6 +87,14 @@ class SceneInput : public QObject {
   bool nothing_to_drive_ = false;  // a driving key is down and no circle is at the tips
   bool turned_view_ = false;  // a drag turned the view while no attempt was running
   ControlHints hints_;
+  struct Press {
+    quint64 at = 0;         // ms, of the event's clock
+    qint64 handled_ms = 0;  // of handled_
+    uint64_t number = 0;    // of this press among all
+  };
+  QHash<int, Press> pressed_;  // keys of the instrument that are down, by key
+  QElapsedTimer handled_;
+  uint64_t presses_ = 0;
 };
 
 }  // namespace swage::console

@@ -8,6 +8,7 @@
 
 #include "console/models/said.hpp"
 #include "console/view3d/jaw_angle.hpp"
+#include "console/view3d/sight.hpp"
 
 namespace swage::console {
 namespace {
@@ -67,6 +68,27 @@ QVector3D SceneMarks::grasp_point(uint32_t object) const {
     return scene_.place_of({static_cast<uint32_t>(parts.watched), parts.watched_on});
   const uint32_t body = scene_.card().objects[object].first_body;
   return to_mm(body < now.n_body ? now.X_WB[body].p : swage_vec3{});
+}
+
+// The place of an object's cue. Two instruments that hold one thread have the middle of their grasps in the air between them: its cue belongs
+// to the nearest point of the thread; that of a tissue to the tissue. Of several tools the cue of each belongs to its own tips.
+QVector3D SceneMarks::cue_point(uint32_t object) const {
+  const SceneParts& parts = scene_.parts();
+  const auto tool = parts.tips_of.find(object);
+  if (parts.tips_of.size() > 1 && tool != parts.tips_of.end() && !tool->second.empty()) {
+    QVector3D sum;
+    for (const Spot& tip : tool->second) sum += scene_.place_of(tip);
+    return sum / static_cast<float>(tool->second.size());
+  }
+  const QVector3D at = grasp_point(object);
+  const snapshot::Snapshot& now = scene_.now();
+  for (const ThreadLine& thread : parts.threads) {
+    if (thread.object != object || thread.first + thread.vertices() > now.n_particle) continue;
+    const std::span<const double> line(now.particle_p_W + 3 * static_cast<size_t>(thread.first), thread.start.size());
+    const Vec near = nearest_on(line, Vec{at.x(), at.y(), at.z()} * (1 / kMmPerM));
+    return to_mm({near.x, near.y, near.z});
+  }
+  return on_tissue(parts, scene_.X_WB(), object, at);
 }
 
 // Points that a lesson shows in the world. Where to go is the task and is seen in a test, too; that one is near is a cue.
@@ -138,13 +160,16 @@ double SceneMarks::clear_px(uint32_t object, const Panel& panel) const {
 void SceneMarks::paint_cues(Overlay& overlay, const Panel& panel) const {
   int slot = 0;
   bool ringed = false;
+  QStringList told;  // both edges of a wound say one thing: it is told once
   for (uint32_t o = 0; o < scene_.card().objects.size(); ++o) {
     const QString cue = cue_of(scene_, shown_, o);
     if (cue.isEmpty()) continue;
-    const QPointF at = panel.view.eye.project(grasp_point(o), panel.size);
+    const QPointF at = panel.view.eye.project(cue_point(o), panel.size);
     if (!ringed && hold_ > 0 && !scene_.has_target()) overlay.ring(at, hold_), ringed = true;
     // the tool's own cue (too much force) goes to the left, that of the work to the right
     const bool tool = role_of(scene_.card(), o) == Role::kTool;
+    if (!tool && told.contains(cue)) continue;
+    told += cue;
     overlay.cue(at, shown_.cues.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2, clear_px(o, panel));
   }
 }

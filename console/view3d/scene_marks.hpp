@@ -27,6 +27,7 @@ class SceneMarks {
 
  private:
   QVector3D grasp_point(uint32_t object) const;
+  QVector3D cue_point(uint32_t object) const;
   double clear_px(uint32_t object, const Panel& panel) const;
   void keep_work_clear(Overlay& overlay, const Panel& panel) const;
   void paint_targets(Overlay& overlay, const Panel& panel) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/view3d/scene_painter.hpp"
 
+#include <QFontMetricsF>
 #include <QLinearGradient>
 #include <algorithm>
 #include <utility>
@@ -53,11 +54,13 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   painter.save();
   painter.setClipRect(panel.at);
   paint_background(painter, job.canvas, panel.at);
+  Panel seen = panel;  // with the eye of the picture, so that marks stay on what they mark while the view moves
   if (const Panel* last = drawn(job, index)) {
     // until the next picture comes, one of another size is stretched
     const QRect& part = last->view.part;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, part.size() != panel.view.part.size());
     painter.drawImage(panel.at, job.picture.image, part);
+    if (part.size() == panel.view.part.size()) seen.view.eye = last->view.eye;
   }
   painter.translate(panel.at.topLeft());
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
@@ -72,7 +75,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
   }
-  marks_.paint(overlay, panel, job.leads);
+  marks_.paint(overlay, seen, job.leads);
   if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
   painter.restore();
 }
@@ -163,8 +166,11 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   }
   // the size of a wound is a cue, hidden in a Test; the wound itself is always visible
   Overlay overlay(painter, inset.at, shown_.ui);
-  overlay.caption(shown_.cues_shown ? wound_words() : tr("Wound"));
-  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
+  constexpr double kAround_px = 32;
+  const bool narrow = QFontMetricsF(painter.font()).horizontalAdvance(wound_words()) + kAround_px > inset.at.width();
+  const QString size = QStringLiteral("%1 %").arg(100 * marks_.wound().ratio, 0, 'f', 0);
+  overlay.caption(!shown_.cues_shown ? tr("Wound") : narrow ? size : wound_words());
+  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()), 0, false);
 }
 
 // left and right end of the lower edge that the insets leave free, px

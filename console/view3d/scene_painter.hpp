@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QString>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,10 +19,11 @@
 
 namespace swage::console {
 
-/// The renderer's last picture, with the panels for which it was drawn.
+/// The renderer's last picture, with the panels and the moment for which it was drawn; no moment before the first snapshot.
 struct Picture {
   QImage image;
   std::vector<Panel> panels;
+  std::shared_ptr<snapshot::Snapshot> moment;
 };
 
 /// Texts over a picture; "" for none.

@@ -24,6 +24,14 @@ void SceneState::set_card(const snapshot::SceneCard& card) {
   stress_ = 0;
 }
 
+std::shared_ptr<snapshot::Snapshot> SceneState::moment() const { return have_snapshot_ ? std::make_shared<snapshot::Snapshot>(*snapshot_) : nullptr; }
+
+SceneState::At::At(SceneState& scene, const std::shared_ptr<snapshot::Snapshot>& moment) : scene_(scene), newest_(scene.snapshot_) {
+  if (moment) scene_.snapshot_ = moment;
+}
+
+SceneState::At::~At() { scene_.snapshot_ = newest_; }
+
 SceneState::Change SceneState::take(const snapshot::Snapshot& snapshot, bool with_stress) {
   Change change;
   change.same = have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
@@ -110,6 +118,15 @@ std::vector<QVector3D> SceneState::points() const {
 bool SceneState::has_target() const {
   return std::any_of(card_.script.marks.begin(), card_.script.marks.end(),
                      [](const judge::Script::Mark& m) { return m.mark.kind == SWAGE_MARK_POINT; });
+}
+
+QVector3D SceneState::beside_watched() const {
+  constexpr float kHeld_mm = 8;  // from the middle of a needle to the jaws that hold it: more than the longest needle is across
+  const QVector3D tips = middle_of_tips();
+  const auto needle = watched(), mark = first_point();
+  const bool sews = taken_.value_or(false) && !parts_.threads.empty() && parts_.watched >= 0 &&
+                    parts_.threads.front().body != static_cast<uint32_t>(parts_.watched);
+  return sews && needle && mark && (tips - *needle).length() < kHeld_mm ? *mark : tips;
 }
 
 std::optional<QVector3D> SceneState::watched() const {

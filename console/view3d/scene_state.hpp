@@ -28,6 +28,21 @@ class SceneState {
   /// Reads the stress of the last snapshot, or sets it to 0; returns whether it changed.
   bool read_stress(bool with_stress);
 
+  /// A copy of the last snapshot; nullptr before the first.
+  std::shared_ptr<snapshot::Snapshot> moment() const;
+  /// While it lives, now() and all places are those of an earlier moment, which a slow picture shows; of nullptr: nothing changes.
+  class At {
+   public:
+    At(SceneState& scene, const std::shared_ptr<snapshot::Snapshot>& moment);
+    ~At();
+    At(const At&) = delete;
+    At& operator=(const At&) = delete;
+
+   private:
+    SceneState& scene_;
+    std::shared_ptr<snapshot::Snapshot> newest_;
+  };
+
   const snapshot::SceneCard& card() const { return card_; }
   const SceneParts& parts() const { return parts_; }
   const snapshot::Snapshot& now() const { return *snapshot_; }
@@ -58,6 +73,9 @@ class SceneState {
   /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;
+  /// What is to be seen beside the watched object: the tips; while they hold a needle with a thread, the place where it goes in, to which
+  /// the thread is drawn.
+  QVector3D beside_watched() const;
   /// The middle of the watched object, if there is one and the snapshot has it.
   std::optional<QVector3D> watched() const;
 
@@ -66,7 +84,7 @@ class SceneState {
 
   snapshot::SceneCard card_;
   SceneParts parts_;
-  std::unique_ptr<snapshot::Snapshot> snapshot_;
+  std::shared_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   uint32_t led_ = SWAGE_NONE;
   bool pierced_ = false;

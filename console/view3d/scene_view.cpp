@@ -138,7 +138,7 @@ void SceneView::follow() {
   const auto watched = scene_.watched();
   if (!watched) return;
   if (point_.microscope() || scene_.parts().tips.empty()) return point_.camera.follow(*watched);
-  point_.camera.follow_both(*watched, scene_.middle_of_tips(), shape_of(panels().front().size));
+  point_.camera.follow_both(*watched, scene_.beside_watched(), shape_of(panels().front().size));
 }
 
 void SceneView::look(CameraPreset preset) {
@@ -233,18 +233,19 @@ void SceneView::tick() {
   renderer_->set_clear_sight(point_.clear_sight());
   renderer_->set_lens(point_.lens(views.front().part.size(), views.front().eye));
   QPointer<SceneView> self(this);
-  renderer_->draw([self, parts](const QImage& image) {
-    if (self) self->arrived(image, parts);
+  renderer_->draw([self, parts, moment = scene_.moment()](const QImage& image) {
+    if (self) self->arrived({image, parts, moment});
   });
 }
 
 // Requests pictures until they no longer change: loading takes longer on a slow machine.
-void SceneView::arrived(const QImage& image, const std::vector<Panel>& panels) {
+void SceneView::arrived(Picture&& picture) {
+  const QImage& image = picture.image;
   const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
   if (empty && since_card_.elapsed() < kPatience_ms) return pace_.empty();
   const bool first = !ready();
   pace_.arrived(clock_.nsecsElapsed(), image == picture_.image);
-  picture_ = {image, panels};
+  picture_ = std::move(picture);
   update();
   if (first) Q_EMIT ready_changed();
 }
@@ -252,6 +253,7 @@ void SceneView::arrived(const QImage& image, const std::vector<Panel>& panels) {
 // Texts change without a new picture, and the display needs both eyes all the time.
 void SceneView::send_eyes() {
   if (!eyes_sink_ || !ready() || point_.stereo()->layout != StereoLayout::kShutter) return;
+  const SceneState::At shown(scene_, picture_.moment);
   const std::vector<QImage> eye = painter_.eyes(canvas(), panels(), picture_, words_, instrument());
   if (eye.size() == 2) eyes_sink_(eye[0], eye[1]);
 }
@@ -271,6 +273,7 @@ void SceneView::paintEvent(QPaintEvent*) {
   if (!renderer_) return painter_.paint_placeholder(painter, canvas(), gl_.why);
   measure();
   words_.hint = input_->hint(hasFocus(), scene_.led() != SWAGE_NONE, !words_.banner.isEmpty());
+  const SceneState::At shown(scene_, picture_.moment);  // marks and words belong to what the picture shows
   painter_.paint(painter, canvas(), panels(), picture_, words_, input_->instrument());
 }
 

@@ -126,7 +126,7 @@ class SceneView : public QWidget {
   void touch(int pictures = 3);
   void follow();
   void tick();
-  void arrived(const QImage& image, const std::vector<Panel>& panels);
+  void arrived(Picture&& picture);
   void set_wound();
   void send_eyes();
   Canvas canvas() const;

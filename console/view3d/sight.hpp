@@ -14,4 +14,7 @@ namespace swage::console {
 /// world. Boxes are aligned with the parts' own frames; tools, wires, which leave their boxes nearly empty, threads and marks are ignored.
 bool hidden(const SceneParts& parts, std::span<const swage_pose> X_WB, const QVector3D& at, const QVector3D& to_viewer);
 
+/// The point of a tissue's box that is nearest to a place; the place itself for an object that is no tissue. mm, world.
+QVector3D on_tissue(const SceneParts& parts, std::span<const swage_pose> X_WB, uint32_t object, const QVector3D& at);
+
 }  // namespace swage::console

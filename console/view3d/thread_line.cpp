@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "console/view3d/vec.hpp"
 #include "console/view3d/wire_chain.hpp"
 
 namespace swage::console {
@@ -49,6 +48,20 @@ std::vector<double> smooth_line(std::span<const double> line) {
   }
   put(at(line, n - 1), out);
   return out;
+}
+
+Vec nearest_on(std::span<const double> line, const Vec& p) {
+  Vec best = p;
+  double least = HUGE_VAL;
+  for (size_t i = 0; i + 1 < line.size() / 3; ++i) {
+    const Vec a = at(line, i), way = at(line, i + 1) - a;
+    const double t = std::clamp(dot(p - a, way) / std::max(dot(way, way), 1e-30), 0.0, 1.0);
+    const Vec here = a + way * t;
+    if (distance(here, p) >= least) continue;
+    least = distance(here, p);
+    best = here;
+  }
+  return best;
 }
 
 double ThreadLine::length() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console/view3d/mesh.hpp"
+#include "console/view3d/vec.hpp"
 #include "snapshot/scene_card.hpp"
 
 namespace swage::console {
@@ -28,6 +29,9 @@ struct ThreadLine {
 
 /// The threads of a scene that are drawn, in the order of the card.
 std::vector<ThreadLine> find_threads(const snapshot::SceneCard& card);
+
+/// The point nearest to `p` on a line of straight pieces through the points x y z; m, world.
+Vec nearest_on(std::span<const double> line, const Vec& p);
 
 /// Inserts points on a smooth curve through the points x y z of a line (Catmull and Rom), as many as keep the angle between
 /// neighbouring segments small.

@@ -80,6 +80,7 @@ enum class Measure : size_t {
   kPointsTension,
   kPointsTails,
   kPointsStep,
+  kPointsExit,
   kPointsTime,
   kCount
 };
@@ -154,6 +155,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::points("points.tension", "Points lost for a thread drawn too hard.", "15 clamp(thread.tension / tension - 1, 0, 1)"),
     lessons::points("points.tails", "Points lost for tails of another length, and for cuts astray.", "10 clamp(2 greatest difference of a tail from what is asked / tail_tolerance - 1, 0, 1) + 10 thread.cuts_astray"),
     lessons::points("points.step", "Points lost for a step between two edges.", "15 clamp(2 stitch.step / step - 1, 0, 1)"),
+    lessons::points("points.exit", "Points lost for the size of the exit wound.", "15 clamp((wound.exit - 2) / (max_wound - 2), 0, 1), of the worst stitch"),
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -228,6 +230,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.tension", "Thread tension", SWAGE_SHOW_POINTS),
     lessons::label("points.tails", "Tails", SWAGE_SHOW_POINTS),
     lessons::label("points.step", "Step between the edges", SWAGE_SHOW_POINTS),
+    lessons::label("points.exit", "Exit wound", SWAGE_SHOW_POINTS),
     lessons::kPointsTimeLabel,
 };
 
@@ -248,7 +251,7 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"A large wound, an angle off the perpendicular, an entry off the mark and a bent needle cost points; up to {in_angle} counts as perpendicular.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"A large wound, at the entry or the exit, an angle off the perpendicular, an entry off the mark and a bent needle cost points; up to {in_angle} counts as perpendicular.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 using lessons::kFelt;
@@ -262,7 +265,7 @@ inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
     {"insert.good", "In the tissue, within the angle.", kHeard, 0},
     {"insert.angle_off", "In the tissue, leaning more than the angle.", kFelt, 0},
-    {"needle.stuck", "In the tissue, held by nobody.", kHeard, 0},
+    {"needle.stuck", "In the tissue, held by nobody, where it is not to be let go.", kHeard, 0},
     {"tissue.tear", "The wound is larger than careful hands leave it.", kHeard, 0},
     lessons::kTooHard,
     {"target.done", "It went in here, and the task is done.", kHeard, 0},

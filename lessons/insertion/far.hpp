@@ -28,6 +28,7 @@ struct FarLook {
   Vec3 entry_W = Vec3::Zero();                                              // m
   double arc_error = 0, pull = 0;                                           // m, N
   double wound = 0;                                                         // 1, wound of its inner face, as Look::wound
+  double exit_wound = 0;                                                    // 1, wound of its outer surface; 0 before
   Hole hole;                                                                // with `entered` and `exited`
   bool needle_astray = false, jaws_astray = false;
 };

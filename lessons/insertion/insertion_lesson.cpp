@@ -34,6 +34,11 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   // the whole card would be one metric more than a scene has room for
   const auto tells = [&](size_t i) {
     if (i == index(Measure::kTwist)) return !has_far();
+    if (i == index(Measure::kWoundWide)) return !has_cut();
+    if (i == index(Measure::kPointsExit)) return params.task == Task::kStitch;
+    const bool several = i == index(Measure::kMostOblique) || i == index(Measure::kUnequal) || i == index(Measure::kUneven) ||
+                         i == index(Measure::kPointsEven) || i == index(Measure::kPointsOblique);
+    if (several) return params.stitches > 1;
     const bool tails = (i >= index(Measure::kTailLeast) && i <= index(Measure::kCutsAstray)) || i == index(Measure::kPointsTails);
     if (tails) return has_cut();
     const bool loops = i == index(Measure::kLoopLeast) || i == index(Measure::kLoopMost) || i == index(Measure::kPointsLoops);
@@ -45,6 +50,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
   phase_[index(Stage::kDrive)] = builder.phase("drive", "Drive it in along its own curve.");
+  phase_[index(Stage::kRegrasp)] = builder.phase("regrasp", "The jaws are at the tissue: let go, and take the needle nearer its swage.");
   if (has_far()) phase_[index(Stage::kCross)] = builder.phase("cross", "On across the gap, into the other edge and out of it.");
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");

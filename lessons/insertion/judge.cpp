@@ -14,6 +14,15 @@ namespace {
 constexpr double kGoodWound = 2;
 // Share of the needle between the surface and the jaws from which a second grasp counts as one on the other side.
 constexpr double kOtherSide = 0.02;
+// m along the needle between the surface and the middle of the jaws. 0.6 mm behind their tips the jaws of the sewing lessons are 0.4 mm wide:
+// from 0.2 mm on they push on the tissue. With less the trainee is told too late, with more while there is still way to go.
+constexpr double kJawsReach = 0.35e-3;
+
+// Points deducted for an exit wound in radii of the wire, of 15: none up to what careful hands leave, all from the greatest entry wound on.
+double exit_points(const Rules& rules, double wound) {
+  if (rules.task != Task::kStitch || wound <= kGoodWound) return 0;
+  return 15 * std::min(1.0, (wound - kGoodWound) / std::max(1e-9, rules.max_wound - kGoodWound));
+}
 
 double along_surface(const Vec3& way, const Vec3& normal) { return (way - way.dot(normal) * normal).norm(); }
 
@@ -147,15 +156,27 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
   // a needle that sticks in the tissue has not been dropped
   finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || inside(look));
   if (finding.dropped) memory.drops += 1;
-  finding.stuck = inside(look) && !look.held;
+  follow_jaws(memory, look);
+  const bool asked = memory.reached != 0 || (memory.exited != 0 && rules_.task == Task::kStitch);
+  finding.stuck = inside(look) && !look.held && !asked;
   finding.angle_off = (look.in_tissue && look.angle > rules_.in_angle) || (look.far.in_tissue && look.far.angle > rules_.in_angle);
-  finding.angle_good = inside(look) && !finding.angle_off;
+  finding.angle_good = inside(look) && !finding.angle_off && (look.held || !asked);
   finding.torn = wound(look) > kGoodWound;
 
   // the other side: let go once the point is out, and grasped again beyond the exit
   const double crossed = rules_.far.there ? look.far.s : look.s;
   if (memory.exited != 0 && !look.held) memory.let_go = 1;
   if (memory.let_go != 0 && look.held && look.grip_s < crossed - kOtherSide) memory.retaken = 1;
+}
+
+/// Notes jaws that are at the tissue before the needle is in far enough, or out: it must be taken again further back.
+void Judge::follow_jaws(Memory& memory, const Look& look) const noexcept {
+  if (!inside(look)) memory.reached = 0;
+  if (!look.in_tissue || !look.held || memory.exited != 0) return;
+  const bool more = rules_.task == Task::kStitch || look.s < rules_.drive;
+  const double room = (look.grip_s - look.s) * look.length;  // m
+  if (more && room < kJawsReach) memory.reached = 1;
+  if (room > 2 * kJawsReach) memory.reached = 0;
 }
 
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
@@ -166,8 +187,9 @@ void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) co
   SutureWatch::finish(rules_.suture, memory.suture);
   memory.worst_entry = std::max(memory.worst_entry, memory.entry_distance);
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
+  memory.worst_exit = std::max(memory.worst_exit, exit_wound(look, rules_.far));
   if (memory.stitch.count >= rules_.stitches) return;
-  memory.exited = memory.let_go = memory.retaken = memory.through = 0;
+  memory.exited = memory.let_go = memory.retaken = memory.through = memory.reached = 0;
   FarEdge::finish(memory.far, look.far.wound);
   SutureWatch::go_on(rules_.suture, memory.suture);
   finding.stitched = true;
@@ -178,6 +200,7 @@ Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
   if (memory.retaken != 0) return to_cut ? Stage::kCutOff : Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
+  if (memory.reached != 0) return Stage::kRegrasp;
   if (memory.far.near_out != 0) return Stage::kCross;
   if (inside(look)) return Stage::kDrive;
   return look.held ? Stage::kAim : Stage::kTake;
@@ -226,6 +249,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
   Points lost;
   lost.wound = 30 * std::clamp((std::max({wound(look), memory.worst_wound, memory.far.worst_wound}) - 1) / 2, 0.0, 1.0);
+  lost.exit = exit_points(rules_, std::max(memory.worst_exit, exit_wound(look, rules_.far)));
   lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
   lost.entry = 15 * std::clamp(std::max(memory.entry_distance, memory.worst_entry) / rules_.tolerance, 0.0, 1.0);
   lost.bending = lessons::bending_points(memory.bending);

@@ -100,6 +100,7 @@ struct Memory {
   double deflected_s = -1e3;                   // s, when the last deflection was counted
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
+  double worst_exit = 0;                       // 1, exit wound of finished stitches
   double wall = 0;                             // m, thickness of the tissue at the entry
   double exit_angle = 0, exit_distance = 0;    // rad, m, of the last exit
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
@@ -110,6 +111,7 @@ struct Memory {
   double reach_s = 0, bending = 0;             // m s; 1, the greatest
   double deepest = 0;                          // greatest share of the needle inside
   TwistState twist;
+  double reached = 0;                          // 0 or 1: the jaws have reached the tissue, and the needle was not taken further back since
   double exited = 0, let_go = 0, retaken = 0, through = 0;
   StitchState stitch;
   StrayState stray;
@@ -117,7 +119,7 @@ struct Memory {
   FarState far;
 };
 
-enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff };
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross, kCutOff, kRegrasp };
 enum class End {
   kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kStep, kCount
 };
@@ -130,8 +132,9 @@ struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
   double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
   double step = 0, tails = 0;                                            // of two edges; of stitches that are cut off
+  double exit = 0;                                                       // of the exit wound
   double sum() const {
-    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails;
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step + tails + exit;
   }
 };
 
@@ -143,7 +146,7 @@ struct Finding {
   bool near = false;                           // the point is at the place of the entry
   bool exit_near = false;                      // the exit is at its mark
   bool angle_good = false, angle_off = false;  // in the tissue
-  bool stuck = false;                          // the needle was let go in the tissue
+  bool stuck = false;                          // the needle was let go in the tissue, where it should not be
   bool torn = false;                           // the wound is larger than careful hands leave
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
@@ -177,6 +180,7 @@ class Judge {
   static void follow_twist(TwistState& twist, const Look& look) noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_jaws(Memory& memory, const Look& look) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;
   Grip how_held(const Look& look) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
@@ -191,6 +195,8 @@ class Judge {
 
 /// Whether a part of the needle is in the tissue or in the far edge.
 inline bool inside(const Look& look) { return look.in_tissue || look.far.in_tissue; }
+/// The wound where the needle came out of the outer surface, 0 before: that of the far edge where there is one.
+inline double exit_wound(const Look& look, const FarRules& far) { return far.there ? look.far.exit_wound : look.exit_wound; }
 /// The greater wound of the two edges.
 inline double wound(const Look& look) { return std::max(look.wound, look.far.wound); }
 

@@ -33,6 +33,7 @@ void InsertionLesson::read_far(const View& scene, const Kept& kept, const swage_
   far.cosine = number(far_pierce_.cosine);
   far.s = number(far_pierce_.s);
   far.wound = number(far_pierce_.wound);
+  if (far_pierce_.exit_wound.valid()) far.exit_wound = number(far_pierce_.exit_wound);
   far.pull = number(far_pierce_.pull);
   far.entry_W = place(scene, far_pierce_.entry);
   const Vec3 out_W = place(scene, far_pierce_.exit);

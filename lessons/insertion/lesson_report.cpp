@@ -39,8 +39,8 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   if (m.wall > 0) tell(Measure::kDepth, look.below / m.wall);
   tell(Measure::kArc, arc_rms(m));
   tell(Measure::kWound, std::max(look.wound, m.worst_wound));
-  if (pierce_.wound_wide.valid()) tell(Measure::kWoundWide, look.wound_wide);
-  if (look.exit_wound > 0) tell(Measure::kWoundExit, look.exit_wound);
+  if (pierce_.wound_wide.valid() && !has_cut()) tell(Measure::kWoundWide, look.wound_wide);
+  if (const double exit = std::max(m.worst_exit, exit_wound(look, rules.far)); exit > 0) tell(Measure::kWoundExit, exit);
   tell(Measure::kArea, look.area_ratio);
   tell(Measure::kPull, m.pull_s);
   tell(Measure::kSwept, look.swept);
@@ -57,6 +57,7 @@ void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) 
   tell(Measure::kPointsRefused, lost.refused);
   tell(Measure::kPointsDrops, lost.drops);
   if (thread_.valid()) tell(Measure::kPointsSuture, lost.suture);
+  if (params_.task == Task::kStitch) tell(Measure::kPointsExit, lost.exit);
   report_running(lost, verdict);
   tell(Measure::kPointsTime, lost.time);
 }

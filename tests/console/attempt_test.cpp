@@ -3,6 +3,7 @@
 // Information shown during an attempt, after it, and hidden in a test. Runs on the offscreen platform without OpenGL, and
 // under Xvfb with it.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDir>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -11,6 +12,7 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QScreen>
+#include <QTest>
 #include <QTimer>
 
 #include "console/models/attempts_model.hpp"
@@ -290,6 +292,29 @@ TEST(Attempts, ARecordedHandIsNobodysProgress) {
   for (int row = 0; row < model.rowCount(); ++row) modes += model.index(row, console::AttemptsModel::kMode).data().toString();
   EXPECT_EQ(modes.count("Recorded hand, not counted"), 2) << modes.join(", ").toStdString();
   EXPECT_EQ(modes.count("Practice"), 1);
+  // which one, where the store tells it; a device of a person may have brackets too
+  all[0].device = "swage.device.skilled (novice)";
+  all[2].device = "swage.device.arm (left)";
+  model.set_attempts({all.begin(), all.end()});
+  EXPECT_EQ(model.index(0, console::AttemptsModel::kMode).data().toString(), "Recorded hand: novice");
+  EXPECT_EQ(model.index(0, console::AttemptsModel::kMode).data(Qt::ToolTipRole).toString(), "An attempt by a recorded hand counts for nobody.");
+  EXPECT_EQ(model.index(2, console::AttemptsModel::kMode).data().toString(), "Practice");
+}
+
+// Typing a name changes it with each letter, and each course is read from the store.
+TEST_F(AttemptOnPage, TheCourseOfAPersonIsReadOnce) {
+  open();
+  auto* person = child<QComboBox>("person");
+  person->addItem(QStringLiteral("Ben"));
+  QStringList read;
+  window->run_page()->set_course_finder([&](const QString& name) -> std::optional<console::CourseNext> {
+    read += name;
+    return {};
+  });
+  person->lineEdit()->selectAll();
+  QTest::keyClicks(person->lineEdit(), QStringLiteral("Be"));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(read, QStringList{person->currentText()}) << read.join(", ").toStdString();
 }
 
 class OwnLessonOnPage : public WindowTest {

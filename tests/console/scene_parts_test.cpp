@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "console/view3d/scene_state.hpp"
 #include "console/view3d/tool_tips.hpp"
 
 namespace swage::console {
@@ -222,6 +224,77 @@ TEST(SceneParts, AThreadThatTrailsBehindTheNeedleDoesNotMakeThePictureSmall) {
   // a thread alone is the work
   card.objects[2].traits = {SWAGE_TRAIT_SOLID};
   EXPECT_NEAR(make_parts(card).work.high.y() - make_parts(card).work.low.y(), 30, 0.1F);
+}
+
+// while the thread is drawn through, the wound is seen, to which the mark on the thread is to come
+TEST(SceneParts, WhileANeedleWithAThreadIsHeldTheWoundIsSeenBesideIt) {
+  snapshot::SceneCard card = scene();
+  card.objects.pop_back(), card.shapes.pop_back();
+  card.objects.push_back({"suture", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 4, 1, 0, 0});
+  card.shapes.push_back(thread_of(4, 4, 30e-3));
+  judge::Script::Mark entry;
+  entry.mark = {};
+  entry.mark.kind = SWAGE_MARK_POINT;
+  entry.meaning = "target.point";
+  card.script.marks = {entry};
+  card.script.signals = {{"grasp", "grasp.held", "1", ""}};
+  SceneState state;
+  state.set_card(card);
+  const auto now = std::make_unique<snapshot::Snapshot>();
+  now->step = 1;
+  now->n_body = static_cast<uint32_t>(card.start.size());
+  std::copy(card.start.begin(), card.start.end(), now->X_WB);
+  now->n_mark = now->n_signal = 1;
+  now->mark_p_W[0] = {15e-3, 0, 1e-3};
+  state.take(*now, false);
+  const QVector3D tips = state.middle_of_tips();
+  EXPECT_EQ(state.beside_watched(), tips) << "nothing is held";
+  now->signal[0] = 1;
+  now->step = 2;
+  state.take(*now, false);
+  EXPECT_EQ(state.beside_watched(), QVector3D(15, 0, 1));
+  now->X_WB[3].p.x += 20e-3, now->step = 3;
+  state.take(*now, false);
+  EXPECT_EQ(state.beside_watched(), state.middle_of_tips()) << "another instrument holds it: these tips are away";
+}
+
+// marks belong to what a picture shows, which on a slow machine is some snapshots old
+TEST(SceneParts, AnEarlierMomentIsSeenOnlyWhileItsPictureIsPainted) {
+  SceneState state;
+  state.set_card(scene());
+  EXPECT_EQ(state.moment(), nullptr);
+  const auto now = std::make_unique<snapshot::Snapshot>();
+  now->step = 1;
+  now->n_body = 5;
+  std::copy(state.card().start.begin(), state.card().start.end(), now->X_WB);
+  state.take(*now, false);
+  const auto drawn = state.moment();
+  const QVector3D then = state.middle_of_tips();
+  now->X_WB[3].p.x += 2e-3, now->step = 2;
+  state.take(*now, false);
+  const QVector3D newest = state.middle_of_tips();
+  ASSERT_NE(newest, then);
+  {
+    const SceneState::At shown(state, drawn);
+    EXPECT_EQ(state.middle_of_tips(), then);
+  }
+  EXPECT_EQ(state.middle_of_tips(), newest);
+  {
+    const SceneState::At shown(state, nullptr);
+    EXPECT_EQ(state.middle_of_tips(), newest) << "there is no picture yet";
+  }
+  EXPECT_EQ(state.now().step, 2U);
+}
+
+// of a thread between two instruments the middle of their grasps is in the air
+TEST(ThreadLines, TheNearestPointIsOnTheThread) {
+  const std::vector<double> line = {0, 0, 0, 1e-3, 0, 0, 1e-3, 2e-3, 0};
+  const auto expect = [&](const Vec& from, const Vec& to) { EXPECT_LT(norm(nearest_on(line, from) - to), 1e-12) << from.x << ' ' << from.y; };
+  expect({0.5e-3, 0.3e-3, 1e-3}, {0.5e-3, 0, 0});
+  expect({0.8e-3, 1.5e-3, 0}, {1e-3, 1.5e-3, 0});
+  expect({-1e-3, -1e-3, 0}, {0, 0, 0});
+  expect({2e-3, 5e-3, 0}, {1e-3, 2e-3, 0});
+  EXPECT_LT(norm(nearest_on({}, {1, 2, 3}) - Vec(1, 2, 3)), 1e-12) << "without a line the place itself";
 }
 
 TEST(SceneParts, ACourseIsShownWhole) {

@@ -47,6 +47,17 @@ TEST(Sight, AFixedWireHidesNothing) {
   EXPECT_FALSE(hidden(wire, std::vector<swage_pose>{{{-5e-3, 0, 0}, {1, 0, 0, 0}}}, {0, 0, 0}, {-1, 0, 0}));
 }
 
+// the cue of a tissue whose thread is held elsewhere stands on the tissue
+TEST(Sight, AnAnchorOffATissueIsMovedOntoIt) {
+  SceneParts parts = with_box(Role::kOther);
+  const std::vector<swage_pose> X_WB = {{{-5e-3, 0, 0}, {1, 0, 0, 0}}};
+  EXPECT_EQ(on_tissue(parts, X_WB, 0, {3, 4, 0.5F}), QVector3D(3, 4, 0.5F)) << "it is no tissue";
+  parts.part[0].soft = true;
+  EXPECT_EQ(on_tissue(parts, X_WB, 0, {3, 4, 0.5F}), QVector3D(-4, 1, 0.5F));
+  EXPECT_EQ(on_tissue(parts, X_WB, 0, {-5.5F, 0, 0}), QVector3D(-5.5F, 0, 0)) << "it is on it";
+  EXPECT_EQ(on_tissue(parts, X_WB, 1, {3, 4, 0.5F}), QVector3D(3, 4, 0.5F)) << "another object";
+}
+
 snapshot::CardShape block(uint32_t body, const swage_vec3& low, const swage_vec3& high) {
   snapshot::CardShape s;
   s.kind = SWAGE_SHAPE_CONVEX;

@@ -2,7 +2,9 @@
 //
 // The window as seen by a new user (tests/stranger.md): information during a lesson and after it.
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -58,6 +60,42 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_TRUE(input.hint(true, false, true).contains("turns the view"));
   input.set_instrument(true);
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
+}
+
+// While a slow picture is painted a press and its release wait: both are handled at once, and the key was held all the same.
+TEST(Stranger, HoldsAKeyAsLongAsItWasHeldHoweverLateItIsHandled) {
+  QWidget picture;
+  picture.resize(400, 300);
+  SceneState scene;
+  ViewPoint point(scene);
+  PanelLayout panels(scene, point);
+  panels.set_area(picture.size(), 1);
+  SceneInput input(&picture, scene, point, panels);
+  input.set_instrument(true);
+  uint64_t keys = 0;
+  QObject::connect(&input, &SceneInput::pointer, [&](const swage_pointer& p) { keys = p.keys; });
+  QElapsedTimer clock;
+  const auto key = [&](bool down, quint64 at_ms) {
+    QKeyEvent event(down ? QEvent::KeyPress : QEvent::KeyRelease, Qt::Key_A, Qt::NoModifier);
+    event.setTimestamp(at_ms);
+    down ? input.key_down(&event) : input.key_up(&event);
+  };
+  clock.start();
+  key(true, 5000);
+  EXPECT_NE(keys, 0U);
+  key(false, 5300);
+  EXPECT_NE(keys, 0U) << "it was held for 0.3 s";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return keys == 0; }, 5000));
+  EXPECT_GE(clock.elapsed(), 290);
+  key(true, 9000);
+  QTest::qWait(60);
+  key(false, 9050);
+  EXPECT_EQ(keys, 0U) << "a release in time is not delayed";
+  key(true, 10000), key(false, 10400), key(true, 10500);
+  QTest::qWait(600);
+  EXPECT_NE(keys, 0U) << "pressed again since";
+  input.focus_lost();
+  EXPECT_EQ(keys, 0U);
 }
 
 // The close-up of a wound seldom shows the tips: a drag over it moves them as one on the picture does, and not by the thousandth part.

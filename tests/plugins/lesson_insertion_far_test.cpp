@@ -88,6 +88,18 @@ TEST(TwoEdges, OneBiteGoesThroughBothAndTheSecondEntryIsNoSecondAttempt) {
   EXPECT_NEAR(end.score, 100 - end.lost.bites, 1e-9);
 }
 
+TEST(TwoEdges, TheExitWoundIsThatOfTheFarEdgesOuterSurface) {
+  const auto sewn = [](double inner, double outer) {
+    Bite a;
+    a.near_in(1e-3), a.near_out(1e-3), a.far_in(1e-3), a.far_out(1e-3), a.taken_on_the_other_side();
+    a.now.exit_wound = inner;
+    a.now.far.exit_wound = outer;
+    return a.through().lost.exit;
+  };
+  EXPECT_EQ(sewn(5, 1.5), 0);
+  EXPECT_NEAR(sewn(1.5, 4), 7.5, 1e-12);
+}
+
 TEST(TwoEdges, UnlikeDepthsCostPointsAndBeyondTheStepTheAttempt) {
   const auto sewn = [](double inner_far) {
     Bite a;
@@ -145,9 +157,13 @@ TEST(TwoEdges, AngleAndWoundOfBothEdgesCount) {
 // let go between the edges the needle is stuck, and it is taken there only beyond the far one
 TEST(TwoEdges, ItIsTakenBeyondTheFarEdge) {
   Bite a;
-  a.near_in(1e-3), a.near_out(1e-3), a.far_in(1e-3), a.far_out(1e-3);
+  a.near_in(1e-3), a.near_out(1e-3), a.far_in(1e-3);
   a.now.held = false;
   EXPECT_TRUE(a.go().stuck);
+  a.hold();
+  a.far_out(1e-3);
+  a.now.held = false;
+  EXPECT_FALSE(a.go().stuck) << "out of the far edge it is to be let go";
   a.hold();
   a.now.grip_s = 0.3;  // between the edges: the far one is crossed at 0.2, the near one at 0.4
   EXPECT_EQ(a.go().stage, Stage::kRetake);
