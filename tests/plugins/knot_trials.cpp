@@ -4,12 +4,13 @@
 // off by random distances, and prints how each attempt ended and what share of them passed. No test: a tool for whoever writes a plan.
 //
 //   knot_trials LESSON HAND [--seeds N] [--first SEED] [--off UM] [--max S] [--set OBJECT.PARAMETER=VALUE] [--log S] [--plans FOLDER]
-//               [--pull FRICTION] [--shape FILE S...]
+//               [--pull FRICTION] [--nodes FILE] [--shape FILE S...]
 //
 //   --off    root mean square of the error [um] of each coordinate of each "at" and "by" of the plans, drawn anew for each attempt
 //   --log    a line each so many simulated seconds: tips, turns, the knot that is foretold and the one that is tied, tensions, gap
 //   --plans  a folder with holder.json and winder.json, in the place of the hand's plans
 //   --pull   what is tied at the end is cut free and pulled to 0.1 N with that friction of the thread on itself (pulled_knot.hpp); again for more
+//   --nodes  the places of the thread at the end of the last attempt, "x y z" a line [m]: what a reader of knots can be tried with
 //   --shape  a picture (SVG, three views) of thread and instruments at the times that follow
 //
 // The knot that is foretold is the one of the thread whose ends are led away along the shafts of the instruments that hold them: the throw
@@ -40,7 +41,7 @@ using toolkit::Vec3;
 constexpr double kShaft = 40e-3;  // m, of an instrument: far outside of all throws
 
 struct Options {
-  std::string lesson, hand, shape, plans;
+  std::string lesson, hand, shape, plans, nodes;
   int seeds = 1;
   uint64_t first = 0;
   double off = 0, max_s = 240, log_s = 0;  // m, s, s
@@ -149,6 +150,12 @@ void draw(const LessonRun& run, const std::string& path) {
   file << "</svg>\n";
 }
 
+void write_nodes(const LessonRun& run, const std::string& path) {
+  std::ofstream file(path);
+  file.precision(17);
+  for (const Vec3& p : nodes(run)) file << p.x() << " " << p.y() << " " << p.z() << "\n";
+}
+
 /// The same plan, each coordinate of its places and ways off by as much.
 std::string off_plan(const std::string& path, double off, base::Xoshiro256& random, const std::string& to) {
   std::ifstream file(path);
@@ -188,7 +195,7 @@ std::string thread_of(const LessonRun& run) {
 
 void put_off(assembly::LessonFile& file, const Options& o, uint64_t seed) {
   base::Xoshiro256 random(977 * seed + 1);
-  const std::filesystem::path folder = std::filesystem::path(o.lesson).parent_path();
+  const std::filesystem::path folder = std::filesystem::absolute(o.lesson).parent_path();
   for (assembly::LessonDevice& device : file.devices)
     for (assembly::DeviceChoice& choice : device.choices) {
       Json params = choice.params.empty() ? Json::object() : Json::parse(choice.params);
@@ -240,6 +247,7 @@ bool try_it(const Options& o, uint64_t seed) {
               run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull, run.metric("thread.drops"),
               base::text(run.engine().stats().health).c_str());
   std::fflush(stdout);
+  if (!o.nodes.empty()) write_nodes(run, o.nodes);
   for (const double friction : o.frictions) {
     const PulledKnot pulled = pull_apart(run, thread_of(run), friction, 0.1);
     std::printf("  pulled with friction %.2f: bears %.1f mN, opens %.2f mm %s\n", friction, 1e3 * pulled.bears, 1e3 * pulled.opens, pulled.trouble.c_str());
@@ -261,6 +269,7 @@ Options options(int argc, char** argv) {
     else if (key == "--log") o.log_s = std::strtod(value, nullptr);
     else if (key == "--set") o.settings.emplace_back(value);
     else if (key == "--plans") o.plans = value;
+    else if (key == "--nodes") o.nodes = value;
     else if (key == "--pull") o.frictions.push_back(std::strtod(value, nullptr));
     else if (key == "--shape") {
       o.shape = value;
