@@ -14,8 +14,6 @@ namespace {
 // Active contacts of strands with strands beyond which threads are wound. Islands of fewer constraints are solved for their forces, where
 // each one that bears nothing costs as much as one that does.
 constexpr uint32_t kWound = 32;
-// Those beyond which touches are not expected: on braids of hundreds the projection of the law (island_projection.cpp) then converges less.
-constexpr uint32_t kBraided = 100;
 }  // namespace
 
 ContactProblem::ContactProblem(const scene::World& world) : room(world.capacity), place(world) {
@@ -50,7 +48,8 @@ void ContactProblem::expect_touches(const contact::ContactSet& contacts) noexcep
   const auto strands = [&](const ContactWorkspace& k) { return place.is_banded(k.a.block) && place.is_banded(k.b.block); };
   uint32_t wound = 0;
   for (uint32_t i = 0; i < n; ++i) wound += contact[i].active && strands(contact[i]);
-  if (wound <= kWound || wound > kBraided) return;
+  // beyond kMostBends the projection alone is to converge, which it then does less often
+  if (wound <= kWound || wound > IslandSolver::kMostBends) return;
   for (uint32_t i = 0; i < n; ++i) {
     const contact::Contact& c = contacts.contact[i];
     contact[i].active = contact[i].active || (c.gap < scales.soon && c.law.stiffness > 0 && strands(contact[i]));

@@ -42,20 +42,9 @@ double DisplacementSpace::merit() noexcept {
   return sum;
 }
 
-bool DisplacementSpace::update_drives(const double* d) noexcept {
-  bool same = true;
-  for (DofBlock* block : island_->blocks) {
-    if (block->kind != DofBlock::Kind::kHinge) continue;
-    const double now = block->drive.stiffness(block->angle + d[block->offset]);
-    same = same && now == block->stiffness;
-    block->stiffness = now;
-  }
-  return same;
-}
-
 /// Between kinks H does not change, and its factors are reused.
 bool DisplacementSpace::search_direction(const double* d, bool same, double* step) noexcept {
-  same = update_drives(d) && same;
+  for (DofBlock* block : island_->blocks) same = block->update_drive(d[block->offset]) && same;
   if (!same || !factored_) {
     std::fill_n(H_.begin(), size_ * size_, 0.0);
     for (const DofBlock* block : island_->blocks) block->add_stiffness(d + block->offset, size_, H_.data());

@@ -29,9 +29,6 @@ class DisplacementSpace final : public Space {
   void finish(const double* z, double* d) noexcept override;
 
  private:
-  /// Updates the stiffnesses of the drives to those at d. True when none changed.
-  bool update_drives(const double* d) noexcept;
-
   const Island* island_ = nullptr;
   size_t size_ = 0;
   bool factored_ = false;  // H_ holds the factors of the last system

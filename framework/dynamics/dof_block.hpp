@@ -93,6 +93,13 @@ struct DofBlock {
     for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
+  /// Updates the stiffness of the drive to that at a displacement of its hinge. True when it was the same.
+  bool update_drive(double d) noexcept {
+    if (kind != Kind::kHinge) return true;
+    const double was = stiffness;
+    return (stiffness = drive.stiffness(angle + d)) == was;
+  }
+
   /// Adds dF/dd to the island's matrix H (n x n, row-major). Not for a band (sparse_space.hpp).
   void add_stiffness(const double* d, size_t n, double* H) const noexcept {
     double* at = H + offset * n + offset;

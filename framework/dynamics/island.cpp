@@ -23,8 +23,8 @@ constexpr uint32_t kSearch = 30;       // evaluations of one line search
 constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
 constexpr uint32_t kProjections = 44;  // steps of the projection, normal: 8 to 15
-// The same where its path follows, which in tight knots of 60 contacts then takes 3 to 8 directions; or after Newton's method on a thread's forces,
-// which mostly gives up nanometres from the solution: 11 directions at p99.9 over a tray, 38 without. With 20 a thread sank into its needle.
+// Steps of the projection where the path goes on from its end: in tight knots of 60 contacts by 3 to 8 directions. Also after Newton's method on
+// a thread's forces, which mostly gives up nanometres from the solution: 11 directions at p99.9 over a tray, 38 without. With 20 a thread sank in.
 constexpr uint32_t kProjectionsBeforePath = 10;
 // Contacts of thread with thread from which on the projection comes first. A square knot drawn tight with 30 mN has 50 that bear, a surgeon's
 // with 100 mN as many: 8 and 10 directions a step, by Newton's method and its path 38 and 56. Fewer: a crossing or two, whose path ends near.

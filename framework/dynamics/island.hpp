@@ -92,6 +92,9 @@ class Space;
 
 class IslandSolver {
  public:
+  /// Constraints of an island with threads whose path is followed: a longer one uses up the budget.
+  static constexpr uint32_t kMostBends = 100;
+
   /// `max_constraints`, `max_hinges`: of an island solved in contact space.
   /// `max_unknowns`: of everything but bands.
   explicit IslandSolver(uint32_t max_unknowns, uint32_t max_constraints = 0, uint32_t max_hinges = 0,
@@ -109,9 +112,6 @@ class IslandSolver {
   bool over_budget() const noexcept { return work() > budget_; }
 
  private:
-  /// Constraints of an island with threads whose path is followed: a longer one uses up the budget.
-  static constexpr uint32_t kMostBends = 100;
-
   void start() noexcept;
   void evaluate(const Island& island, const double* z, Friction friction) noexcept;
   bool search_direction(const Island& island, Friction friction) noexcept;

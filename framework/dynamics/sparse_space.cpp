@@ -89,9 +89,8 @@ void SparseSpace::condense_residual() noexcept {
   std::fill_n(x_.begin(), size_t{4} * n_, 0.0);
   std::fill_n(whole_.begin(), island_->size, 0.0);
   double* const F = whole_.data();
-  std::vector<double>& at_rest = F_;  // d = 0 of the largest block
-  std::fill(at_rest.begin(), at_rest.end(), 0.0);
-  for (const DofBlock* block : island_->blocks) block->residual(at_rest.data(), F + block->offset);
+  std::fill(F_.begin(), F_.end(), 0.0);  // d = 0, as long as the largest block
+  for (const DofBlock* block : island_->blocks) block->residual(F_.data(), F + block->offset);
   each([&](uint32_t of_island, uint32_t at) { x_[at] = -F[of_island]; });
   H_.condense(x_.data());
   for (size_t i = 0; i < size_; ++i) F0_[i] = -x_[size_t{4} * H_.early() + i];
@@ -169,7 +168,7 @@ double SparseSpace::slope(const double* z, const double* step) noexcept {
 double SparseSpace::length(const double* step) noexcept {
   double longest = 0;
   for (uint32_t m = 0; ready_ && m < first_.size(); ++m)
-    if (is_late(first_[m])) longest = std::max(longest, island_->blocks[m]->length(step + in_z(first_[m])));
+    if (late_[first_[m]] != 0) longest = std::max(longest, island_->blocks[m]->length(step + in_z(first_[m])));
   for (const BlockContact& c : contact_) {
     const Displacement u = along(c, step);
     longest = std::max(longest, std::sqrt(u.g * u.g + u.s1 * u.s1 + u.s2 * u.s2));
@@ -208,7 +207,7 @@ BlockPoint SparseSpace::point(uint32_t block, const Constraint& c, bool is_a) co
 void SparseSpace::find_pattern() noexcept {
   pair_.clear();
   for (uint32_t m = 0; m < first_.size(); ++m) {
-    const uint32_t n = blocks_of(*(*island_).blocks[m]), first = first_[m];
+    const uint32_t n = blocks_of(*island_->blocks[m]), first = first_[m];
     for (uint32_t i = first; i < first + n; ++i)
       for (uint32_t k = i + 1; k < std::min(i + 3, first + n); ++k) pair_.push_back({k, i});
   }
@@ -220,7 +219,7 @@ void SparseSpace::find_pattern() noexcept {
     for (const BlockPoint& p : sides)
       for (uint32_t k = 0; k < p.size; ++k) late_[p.block[k]] = 1;
   for (uint32_t m = 0; m < first_.size(); ++m)
-    if ((*island_).blocks[m]->kind == DofBlock::Kind::kHinge) late_[first_[m]] = 1;
+    if (island_->blocks[m]->kind == DofBlock::Kind::kHinge) late_[first_[m]] = 1;
 }
 
 /// Adds the upper half of what does not change in a solve.
@@ -255,22 +254,10 @@ bool SparseSpace::assemble(const double* z) noexcept {
   return H_.factor(symmetric_);
 }
 
-/// Updates the stiffnesses of the drives to those at z. True when none changed.
-bool SparseSpace::update_drives(const double* z) noexcept {
-  bool same = true;
-  for (uint32_t m = 0; m < first_.size(); ++m) {
-    DofBlock& block = *island_->blocks[m];
-    if (block.kind != DofBlock::Kind::kHinge) continue;
-    const double now = block.drive.stiffness(block.angle + z[in_z(first_[m])]);
-    same = same && now == block.stiffness;
-    block.stiffness = now;
-  }
-  return same;
-}
-
 bool SparseSpace::search_direction(const double* z, bool same, double* step) noexcept {
   if (!ready_) return false;
-  same = update_drives(z) && same;
+  for (uint32_t m = 0; m < first_.size(); ++m)
+    if (DofBlock& block = *island_->blocks[m]; block.kind == DofBlock::Kind::kHinge) same = block.update_drive(z[in_z(first_[m])]) && same;
   if (!same || !factored_) factored_ = assemble(z);
   if (!factored_) return false;
   work += 32 * H_.late_fill() + 8 * size_;

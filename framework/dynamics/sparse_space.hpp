@@ -52,14 +52,12 @@ class SparseSpace final : public Space {
   void add_block(uint32_t block) noexcept;
   void forces_of_blocks(const double* z) noexcept;
   bool assemble(const double* z) noexcept;
-  bool update_drives(const double* z) noexcept;
   Displacement along(const BlockContact& c, const double* z) const noexcept;
   /// First number of a block of H_ in z.
   uint32_t in_z(uint32_t block) const noexcept { return 4 * (H_.place_of(block) - H_.early()); }
   /// Calls entry(number of the island, number of H_) for every unknown.
   template <class Entry>
   void each(const Entry& entry) const noexcept;
-  bool is_late(uint32_t block) const noexcept { return late_[block] != 0; }
 
   const Island* island_ = nullptr;
   BandedBlocks H_;

@@ -47,13 +47,22 @@ TEST(Stranger, IsToldTheTimeThatIsLeft) {
   EXPECT_TRUE(left->text().contains("00:10")) << left->text().toStdString();
 }
 
-TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
-  QWidget picture;
-  picture.resize(400, 300);
+/// A picture of nothing, and what reads the mouse and the keys over it.
+struct EmptyPicture {
+  EmptyPicture() {
+    widget.resize(400, 300);
+    panels.set_area(widget.size(), 1);
+  }
+  QWidget widget;
   SceneState scene;
-  ViewPoint point(scene);
-  PanelLayout panels(scene, point);
-  SceneInput input(&picture, scene, point, panels);
+  ViewPoint point{scene};
+  PanelLayout panels{scene, point};
+  SceneInput input{&widget, scene, point, panels};
+};
+
+TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
+  EmptyPicture picture;
+  SceneInput& input = picture.input;
   EXPECT_TRUE(input.hint(true, false, true).isEmpty()) << "nobody has dragged";
   QMouseEvent move(QEvent::MouseMove, QPointF(30, 20), QPointF(30, 20), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
   input.move(&move);
@@ -64,13 +73,8 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
 
 // While a slow picture is painted a press and its release wait: both are handled at once, and the key was held all the same.
 TEST(Stranger, HoldsAKeyAsLongAsItWasHeldHoweverLateItIsHandled) {
-  QWidget picture;
-  picture.resize(400, 300);
-  SceneState scene;
-  ViewPoint point(scene);
-  PanelLayout panels(scene, point);
-  panels.set_area(picture.size(), 1);
-  SceneInput input(&picture, scene, point, panels);
+  EmptyPicture picture;
+  SceneInput& input = picture.input;
   input.set_instrument(true);
   uint64_t keys = 0;
   QObject::connect(&input, &SceneInput::pointer, [&](const swage_pointer& p) { keys = p.keys; });

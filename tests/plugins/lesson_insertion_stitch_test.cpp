@@ -8,6 +8,15 @@
 namespace swage::lesson_insertion {
 namespace {
 
+/// The point is out: the needle is let go and taken between its point and the tissue.
+void take_on_the_other_side(Attempt& a) {
+  a.now.held = false;
+  a.go();
+  a.hold();
+  a.now.grip_s = 0.1;
+  a.go();
+}
+
 // 141: a needle that is held near its point is driven in two grasps
 TEST(InsertionJudge, JawsAtTheTissueAreToTakeTheNeedleFurtherBack) {
   Rules rules;
@@ -82,11 +91,7 @@ TEST(InsertionJudge, AWideExitCostsPointsAndFailsNoStitch) {
       a.now.exit_wound = wound;
       if (task == Task::kInsert) continue;
       a.go();
-      a.now.held = false;
-      a.go();
-      a.hold();
-      a.now.grip_s = 0.1;
-      a.go();
+      take_on_the_other_side(a);
       a.now.passed = true;
       f = a.go();
       a.now.in_tissue = false;
@@ -117,11 +122,7 @@ TEST(InsertionJudge, TheNextStitchBeginsWhereTheLastOneEnded) {
     a.now.exited = true;
     a.now.hole = {Vec3(0.8e-3, places[i], 0), -Vec3::UnitX(), Vec3::UnitZ(), 0.5e-3};
     a.go();
-    a.now.held = false;
-    a.go();
-    a.hold();
-    a.now.grip_s = 0.1;
-    a.go();
+    take_on_the_other_side(a);
     EXPECT_EQ(Stitches::unevenness(a.memory.stitch), -1);
     a.now.passed = true;
     f = a.go();

@@ -121,9 +121,7 @@ TEST(BandedBlocks, WithoutWhatNothingTouchesSolveAsADenseMatrixDoes) {
     const std::vector<int> all = in_order(k.blocks, 0, n), late = in_order(k.blocks, early, n), first = in_order(k.blocks, 0, early);
 
     // S x, without contacts
-    Eigen::MatrixXd bare = k.dense;
-    Knot without(60, 0, false, 5);
-    bare = without.dense;
+    const Eigen::MatrixXd bare = Knot(60, 0, false, 5).dense;
     const Eigen::MatrixXd S = bare(late, late) - bare(late, first) * Eigen::MatrixXd(bare(first, first)).partialPivLu().solve(Eigen::MatrixXd(bare(first, late)));
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(S.rows(), -2, 5);
     Eigen::VectorXd r = Eigen::VectorXd::Zero(S.rows());
