@@ -246,15 +246,15 @@ class ArcCurve {
   }
   static bool search_sign(const ToLine& g, const Known& from, const Known& to, double sign, double level, double third, Place& found);
 
-  /// h0 + A cos(angle - phi) = 0 at angle = phi -+ acos(-h0 / A).
+  /// h0 + A cos(angle - phi) = 0 at angle = phi -+ acos(-h0 / A). One root and one division, neither of which waits for the other.
   static Place crossing(const Height& h, Place from, Place to, double upward) {
-    const double amplitude = std::sqrt(h.hx * h.hx + h.hy * h.hy);
-    if (!(amplitude > std::abs(h.h0))) return std::abs(h.at(from)) < std::abs(h.at(to)) ? from : to;
-    const double scale = 1 / amplitude;
-    const double c = -h.h0 * scale, s = upward * std::sqrt(std::max(0.0, 1 - c * c));
-    const double fx = h.hx * scale, fy = h.hy * scale;
-    const Turn e{c * fx + s * fy, c * fy - s * fx};
-    return within(e, from, to) ? e : std::abs(h.at(from)) < std::abs(h.at(to)) ? from : to;
+    const double A2 = h.hx * h.hx + h.hy * h.hy, B2 = A2 - h.h0 * h.h0;
+    if (B2 > 0) {
+      const double over = 1 / A2, B = upward * std::sqrt(B2);
+      const Turn e{(B * h.hy - h.h0 * h.hx) * over, -(B * h.hx + h.h0 * h.hy) * over};
+      if (within(e, from, to)) return e;
+    }
+    return std::abs(h.at(from)) < std::abs(h.at(to)) ? from : to;
   }
 
   static constexpr double kSin60 = 0.86602540378443865;

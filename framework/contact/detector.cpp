@@ -76,6 +76,7 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
     if (chained && !goes_on_.back()) chain_.push_back({i, 0, {}});
     if (chained) ++chain_.back().shapes;
   }
+  in_pair_.assign(world.shape.size(), 0);
   for (uint32_t p = 0; p < pairs_.size(); ++p)
     for (uint32_t a = 0; a < world.shape.size(); ++a)
       for (uint32_t b = 0; b < world.shape.size(); ++b) {
@@ -91,6 +92,7 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
         shape_pairs_.push_back({p, a, b, group_of(p, a, b), {}});
         bodies_.push_back(shape_a.body);
         bodies_.push_back(shape_b.body);
+        in_pair_[a] = in_pair_[b] = 1;
       }
   // the last separating feature is tried first, for polyhedra only
   for (ShapePair& pair : shape_pairs_)
@@ -177,7 +179,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   }
 }
 
-/// Updates poses and motions over this step, and which chains are far from which shapes.
+/// Updates poses and motions over this step, and which chains are far from which shapes. Shapes that nothing can touch are left out.
 void Detector::look_around(const scene::World& world) noexcept {
   for (const uint32_t body : bodies_) {
     X_WB_[body] = Frame(world.X_WB[body]);
@@ -188,6 +190,7 @@ void Detector::look_around(const scene::World& world) noexcept {
       refit_chain(world, i);
       continue;
     }
+    if (!in_pair_[i]) continue;
     if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
     // bounding sphere at the end of the step, and the greatest displacement of any point of the shape
     const swage_twist& V = world.V_WB[body_[i]];

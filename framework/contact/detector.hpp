@@ -174,6 +174,7 @@ class Detector {
   std::vector<SphereTree> chains_;   // one per shape; empty except for arcs at Level::kThesis
   std::vector<uint32_t> bodies_;     // bodies with a shape in any pair
   std::vector<uint32_t> body_;       // of each shape
+  std::vector<uint8_t> in_pair_;     // per shape: 1 when it is in any pair
   std::vector<Frame> X_WB_;          // of those bodies, indexed by body
   std::vector<KnownMotion> motion_;  // of those bodies, indexed by body
   std::vector<Ball> ball_;           // one per shape

@@ -52,6 +52,7 @@ class Writer {
   void judge() {
     bool any = false;
     for (int k = 0; k < walk_.pieces().size(); ++k) {
+      length_[at(k)] = curve_.length(walk_.pieces()[k].from, walk_.pieces()[k].to);
       sharp_[at(k)] = sharpness(k);
       line_weight_[at(k)] = 0;
       any |= sharp_[at(k)] < 1;
@@ -67,17 +68,14 @@ class Writer {
           line_weight_[at(k)] = (1 - sharp_[at(k)]) * flat_length(k) / total;
     }
   }
-  double flat_length(int k) const {
-    const Piece<Place>& piece = walk_.pieces()[k];
-    return (1 - sharp_[at(k)]) * curve_.length(piece.from, piece.to);
-  }
+  double flat_length(int k) const { return (1 - sharp_[at(k)]) * length_[at(k)]; }
 
   /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, it is followed along its
   /// tangent to the border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
   /// a point beside its line, at the cut or at the edge by the sign of its tilt, and rock from step to step.
   double length_over_region(int k) const {
     const Piece<Place>& piece = walk_.pieces()[k];
-    double length = curve_.length(piece.from, piece.to);
+    double length = length_[at(k)];
     if (piece.region.kind == Region::kEdge) return length;  // across an edge, or along a segment of a thread, it is one touch
     const auto is = [](Place place, Place end) { return Curve::order(place) == Curve::order(end); };
     if (query_.goes_on && is(piece.from, curve_.stretch(0).from))
@@ -175,7 +173,7 @@ class Writer {
     if (!Curve::kStraight || piece.region.kind != Region::kFace || query_.flatness <= 0) return {};
     const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
     if (std::max(d0, d1) - a_.radius - b_.radius > query_.margin) return {};
-    const double apart = ramp(curve_.length(piece.from, piece.to), 0.25 * a_.radius, a_.radius);
+    const double apart = ramp(length_[at(k)], 0.25 * a_.radius, a_.radius);
     return {d0 > d1 ? piece.from : piece.to, sharp_[at(k)] * apart};
   }
   void write_far_end(int k) {
@@ -216,7 +214,7 @@ class Writer {
   const Frame& X_WB_;
   const Query& query_;
   Manifold& out_;
-  std::array<double, Walk<Curve>::kPieces> sharp_, line_weight_;
+  std::array<double, Walk<Curve>::kPieces> length_, sharp_, line_weight_;  // per piece
 };
 
 /// Flattened: the walk is made of many small functions with arguments in memory; inlined it takes a third less time.

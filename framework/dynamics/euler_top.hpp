@@ -36,15 +36,18 @@ namespace swage::dynamics {
 struct EulerTop {
   int i = 0, j = 1, k = 2;           // x, y, z are these axes of the body; cyclic, j has the middle moment
   double w_x = 1, w_y = 1, w_z = 1;  // 1/I
+  double I_x = 1, I_y = 1, I_z = 1;  // kg m2
   double alpha = 0, beta = 0, gamma = 0;  // 1 / (kg m2)
   double alpha_beta = 0, beta_gamma = 0, gamma_alpha = 0;
 
   EulerTop() = default;
-  explicit EulerTop(const Vec3& inv_I) {
+  explicit EulerTop(const Vec3& I) {
+    const Vec3 inv_I = I.cwiseInverse();
     for (j = 0; j < 2; ++j)
       if ((inv_I[j] - inv_I[(j + 1) % 3]) * (inv_I[j] - inv_I[(j + 2) % 3]) <= 0) break;
     i = (j + 2) % 3, k = (j + 1) % 3;
     w_x = inv_I[i], w_y = inv_I[j], w_z = inv_I[k];
+    I_x = I[i], I_y = I[j], I_z = I[k];
     alpha = w_z - w_y, beta = w_x - w_z, gamma = w_y - w_x;
     alpha_beta = alpha * beta, beta_gamma = beta * gamma, gamma_alpha = gamma * alpha;
   }
@@ -66,6 +69,12 @@ struct TopState {
   void normalise() {
     const double unit = 1 / std::sqrt(norm2);
     w *= unit, x *= unit, y *= unit, z *= unit, norm2 = 1;
+  }
+  /// v in W, along the axes of the body. For norm2 = 1.
+  Triple turned_back(const Triple& v) const {
+    const Triple q{-x, -y, -z}, half = q.cross(v), whole{half.x + half.x, half.y + half.y, half.z + half.z};
+    const Triple turn = q.cross(whole);
+    return {v.x + w * whole.x + turn.x, v.y + w * whole.y + turn.y, v.z + w * whole.z + turn.z};
   }
   /// v along the axes of the body, in W.
   Triple turned(const Triple& v) const {
@@ -140,11 +149,11 @@ inline void euler_top(const EulerTop& t, double h, TopState& s) {
   int parts = 1;
   for (; h * h * fastest > kMost * kMost && parts < 64; h *= 0.5) parts *= 2;
   if (h * h * fastest > kMost * kMost) h = kMost / std::sqrt(fastest);
-  for (; parts > 1; --parts) {
+  for (;;) {
     turn_top(t, lambda2, mu2, h, s);
+    if (--parts == 0) return;
     s.normalise();
   }
-  turn_top(t, lambda2, mu2, h, s);
 }
 
 }  // namespace swage::dynamics

@@ -134,10 +134,14 @@ void taylor_kicked(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
 void elliptic(const RigidMass& m, const Vec3& t_W, double h, RigidState& s) {
   const EulerTop& e = m.euler;
   const bool torque = !t_W.isZero(0);
-  Vec3 L = m.I.cwiseProduct(s.q_WB.conjugate() * s.w_W);
-  if (torque) L += s.q_WB.conjugate() * (0.5 * h * t_W);
-  TopState t{s.q_WB.w(), s.q_WB.vec()[e.i],       s.q_WB.vec()[e.j], s.q_WB.vec()[e.k],
-             1,          {L[e.i], L[e.j], L[e.k]}};
+  TopState t{s.q_WB.w(), s.q_WB.vec()[e.i], s.q_WB.vec()[e.j], s.q_WB.vec()[e.k], 1, {}};
+  const Triple w0 = t.turned_back({s.w_W[e.i], s.w_W[e.j], s.w_W[e.k]});
+  t.L = {e.I_x * w0.x, e.I_y * w0.y, e.I_z * w0.z};
+  if (torque) {
+    const Vec3 half = 0.5 * h * t_W;
+    const Triple kick = t.turned_back({half[e.i], half[e.j], half[e.k]});
+    t.L = {t.L.x + kick.x, t.L.y + kick.y, t.L.z + kick.z};
+  }
   euler_top(e, h, t);
   const Triple w = t.turned({e.w_x * t.L.x, e.w_y * t.L.y, e.w_z * t.L.z});
   s.w_W[e.i] = w.x, s.w_W[e.j] = w.y, s.w_W[e.k] = w.z;
@@ -227,7 +231,7 @@ void turn_symplectic_euler(const RigidMass& m, const Vec3& t_W, double h, Spin& 
 }  // namespace
 
 RigidMass::RigidMass(double mass_kg, const Vec3& principal)
-    : mass(mass_kg), I(principal), inv_I(principal.cwiseInverse()), euler(inv_I) {
+    : mass(mass_kg), I(principal), inv_I(principal.cwiseInverse()), euler(principal) {
   // pair the two axes whose 1/I differ least: j, k; i is the axis of the top
   double closest = HUGE_VAL;
   for (int a = 0; a < 3; ++a) {

@@ -82,23 +82,24 @@ void Motion::go_free(scene::World& world) noexcept {
 }
 
 void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method) noexcept {
-  const swage_twist V0 = world.V_WB[body];
-  X0[body] = Pose(world.X_WB[body]);
-  RigidState s{X0[body].p, X0[body].q, vec(V0.v), vec(V0.w)};
+  const Pose start(world.X_WB[body]);
+  const Vec3 v_start = vec(world.V_WB[body].v), w_start = vec(world.V_WB[body].w);
+  RigidState s{start.p, start.q, v_start, w_start};
   const RigidMass& m = mass[body];
   const Vec3 f = vec(world.F_B_W[body].f) + m.mass * vec(world.gravity);
   move_free(method, m, f, vec(world.F_B_W[body].t), world.dt, s);
+  X0[body] = start;
   X_free[body] = {s.p_W, s.q_WB};
   v_free[body] = s.v_W;
   w_free[body] = s.w_W;
-  v0[body] = vec(V0.v), w0[body] = vec(V0.w);
+  v0[body] = v_start, w0[body] = w_start;
 
   if (held_body[body]) {
     // contacts held it against its weight and probably will again: detect them where its present twist takes it
     const double h = world.dt;
-    Quat q = turn(h * vec(V0.w)) * X0[body].q;
+    Quat q = turn(h * w_start) * start.q;
     renormalise(q);
-    world.X_WB[body] = Pose(X0[body].p + h * vec(V0.v), q).abi();
+    world.X_WB[body] = Pose(start.p + h * v_start, q).abi();
   } else {
     world.X_WB[body] = X_free[body].abi();
     world.V_WB[body] = {raw(s.v_W), raw(s.w_W)};

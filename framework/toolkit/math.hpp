@@ -67,9 +67,10 @@ struct Frame {
   }
   Vec3 inverse_times(const Vec3& p_A) const { return turn_back(p_A - p); }
 
-  // products with the matrix, column by column: compilers generate slower code for Eigen's general product
-  Vec3 turn(const Vec3& v_B) const { return v_B.x() * R.col(0) + v_B.y() * R.col(1) + v_B.z() * R.col(2); }
-  Vec3 turn_back(const Vec3& v_A) const { return {R.col(0).dot(v_A), R.col(1).dot(v_A), R.col(2).dot(v_A)}; }
+  // products with the matrix, column by column: compilers generate slower code for Eigen's general product. Inlined everywhere: a call
+  // costs as much as the product, and there are a dozen in one query of a needle against a jaw
+  [[gnu::always_inline]] Vec3 turn(const Vec3& v_B) const { return v_B.x() * R.col(0) + v_B.y() * R.col(1) + v_B.z() * R.col(2); }
+  [[gnu::always_inline]] Vec3 turn_back(const Vec3& v_A) const { return {R.col(0).dot(v_A), R.col(1).dot(v_A), R.col(2).dot(v_A)}; }
 };
 
 /// Unit quaternion of the rotation vector `a` [rad]: exact exponential, smooth through zero.

@@ -28,8 +28,9 @@ std::vector<Line> bar_queries(const Effort& effort) {
              *mean = "query, mean of 10,000 poses, over ODE trimesh";
   if (const QueryFigures* ode = find(figures, "ODE")) {
     constexpr auto kGrasped = static_cast<size_t>(Phase::kGrasped);
-    lines.push_back(ratio("G1", grasped, ours.phase[kGrasped].mean, ode->phase[kGrasped].mean, 0.10));
-    lines.push_back(ratio("G1", mean, ours.all.mean, ode->all.mean, 0.25));
+    const double clock = clock_ns();  // each figure contains one reading of it, some 4 % of ours
+    lines.push_back(ratio("G1", grasped, ours.phase[kGrasped].mean - clock, ode->phase[kGrasped].mean - clock, 0.10));
+    lines.push_back(ratio("G1", mean, ours.all.mean - clock, ode->all.mean - clock, 0.25));
   } else {
     lines.push_back(unmeasured("G1", grasped, 0.10));
     lines.push_back(unmeasured("G1", mean, 0.25));
