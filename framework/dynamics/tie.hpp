@@ -34,27 +34,31 @@ struct Tie {
   Vec3 axis_W = Vec3::UnitX();   // unit
   Vec3 offset_W = Vec3::Zero();  // m, displacement of a relative to b from rest, at the predicted poses
   TieLaw law;
+  Vec3 f_a_W = Vec3::Zero();  // N on a; before the solve that of the last step, where it starts, 0 where none is known
   // --- results of the solve
-  Vec3 f_a_W = Vec3::Zero();           // N on a
   Vec3 plastic_slip_W = Vec3::Zero();  // m, plastic part of the displacement
 };
 
 // The law piece by piece, as in contact_law.hpp: sticks or slips along the axis and, independently, across it
 
+/// Slip along the axis has a side of its own: a slack film (backward limit 0), continued beyond its range, bears nothing and does not pull with all
+/// its force.
+enum class Along : uint8_t { kStick, kForward, kBackward };
 struct TiePieces {
-  Piece along = Piece::kStick, across = Piece::kStick;
+  Along along = Along::kStick;
+  Piece across = Piece::kStick;
 };
 
 inline TiePieces tie_pieces(const TieLaw& law, const Displacement& d) {
   const double along = -law.k_along * d.g;
-  return {along >= -law.forward_limit && along <= law.backward_limit ? Piece::kStick : Piece::kSlip,
+  return {along < -law.forward_limit ? Along::kForward : along > law.backward_limit ? Along::kBackward : Along::kStick,
           law.k_across * std::sqrt(d.s1 * d.s1 + d.s2 * d.s2) <= law.strength ? Piece::kStick : Piece::kSlip};
 }
 
 /// Force on a, on given pieces, continued beyond their own range. In the axes of the tie, g is along and s1, s2 are across.
 inline Force tie_force_on(const TiePieces& on, const TieLaw& law, const Displacement& d) {
   Force f{-law.k_along * d.g, -law.k_across * d.s1, -law.k_across * d.s2, on.across == Piece::kSlip};
-  if (on.along == Piece::kSlip) f.fn = d.g > 0 ? -law.forward_limit : law.backward_limit;
+  if (on.along != Along::kStick) f.fn = on.along == Along::kForward ? -law.forward_limit : law.backward_limit;
   if (!f.slips) return f;
   const double across = std::sqrt(f.f1 * f.f1 + f.f2 * f.f2), back = across > 0 ? law.strength / across : 0.0;
   f.f1 *= back, f.f2 *= back;
@@ -63,7 +67,7 @@ inline Force tie_force_on(const TiePieces& on, const TieLaw& law, const Displace
 
 inline Tangent tie_tangent_on(const TiePieces& on, const TieLaw& law, const Displacement& d) {
   Tangent t;
-  if (on.along == Piece::kStick) t.nn = law.k_along;
+  if (on.along == Along::kStick) t.nn = law.k_along;
   if (on.across == Piece::kStick) {
     t.t11 = t.t22 = law.k_across;
     return t;
@@ -86,8 +90,9 @@ inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
 /// Pieces on which a force of an earlier step or pass was, in the present axes.
 inline TiePieces tie_pieces_before(const TieLaw& law, const Force& f) {
   constexpr double kNearly = 0.999;  // the axes may have turned by a thousandth
-  const bool slips = f.fn <= -kNearly * law.forward_limit || f.fn >= kNearly * law.backward_limit;
-  return {slips ? Piece::kSlip : Piece::kStick,
+  return {f.fn >= kNearly * law.backward_limit    ? Along::kBackward
+          : f.fn <= -kNearly * law.forward_limit ? Along::kForward
+                                                 : Along::kStick,
           std::sqrt(f.f1 * f.f1 + f.f2 * f.f2) >= kNearly * law.strength ? Piece::kSlip : Piece::kStick};
 }
 
@@ -99,12 +104,12 @@ struct TieKink {
 
 inline TieKink tie_kink(const TiePieces& on, const TieLaw& law, const Displacement& d, const Displacement& e) {
   TieKink kink{HUGE_VAL, on};
-  const bool sticks = on.along == Piece::kStick;
+  const bool sticks = on.along == Along::kStick, forward = sticks ? e.g > 0 : on.along == Along::kForward;
   // k_along times the displacement at which it begins to slip or, where it slips, at which it sticks again
-  const double end = sticks == (e.g > 0) ? law.forward_limit : -law.backward_limit;
-  if ((sticks ? e.g != 0 : d.g * e.g < 0) && law.k_along > 0 && std::isfinite(end)) {
+  const double end = forward ? law.forward_limit : -law.backward_limit;
+  if (e.g != 0 && (sticks || forward == (e.g < 0)) && law.k_along > 0 && std::isfinite(end)) {
     kink.t = std::fmax(0.0, (end / law.k_along - d.g) / e.g);
-    kink.next.along = sticks ? Piece::kSlip : Piece::kStick;
+    kink.next.along = !sticks ? Along::kStick : forward ? Along::kForward : Along::kBackward;
   }
   if (!(law.k_across > 0) || !std::isfinite(law.strength)) return kink;
   const double limit = law.strength / law.k_across;

@@ -17,7 +17,8 @@ constexpr double kContactStiffness = 1e6;
 void TieConstraints::begin(std::span<Tie> ties) noexcept {
   p_.tie = ties.first(std::min(ties.size(), p_.tie_workspace.size()));
   p_.health.dropped_ties += ties.size() - p_.tie.size();
-  for (Tie& tie : ties) tie.f_a_W = tie.plastic_slip_W = Vec3::Zero();
+  for (Tie& tie : ties) tie.plastic_slip_W = Vec3::Zero();
+  for (Tie& tie : ties.subspan(p_.tie.size())) tie.f_a_W = Vec3::Zero();
   for (uint32_t i = 0; i < p_.tie.size(); ++i) {
     const Tie& tie = p_.tie[i];
     TieWorkspace& k = p_.tie_workspace[i];

@@ -25,7 +25,7 @@ bool stiffness(double k) { return std::isfinite(k) && k >= 0; }
 bool sensible(const swage_tie& t, uint32_t bodies_a, uint32_t bodies_b) {
   const auto there = [](uint32_t body, uint32_t count) { return body < count || body == SWAGE_NONE; };
   return there(t.body_a, bodies_a) && there(t.body_b, bodies_b) && finite(t.p_W) && finite(t.offset_W) &&
-         finite(t.axis_W) && std::abs(toolkit::vec(t.axis_W).norm() - 1) < kUnit &&
+         finite(t.axis_W) && finite(t.f_a_W) && std::abs(toolkit::vec(t.axis_W).norm() - 1) < kUnit &&
          stiffness(t.stiffness_across) && stiffness(t.stiffness_along) && t.strength >= 0 &&
          t.forward_limit >= 0 && t.backward_limit >= 0 && toolkit::vec(t.p_W).norm() < kMaxPosition;
 }
@@ -37,6 +37,7 @@ dynamics::Tie tie_of(const swage_tie& t, const scene::Range& a, const scene::Ran
   out.p_W = toolkit::vec(t.p_W);
   out.axis_W = toolkit::vec(t.axis_W).normalized();
   out.offset_W = toolkit::vec(t.offset_W);
+  out.f_a_W = toolkit::vec(t.f_a_W);
   out.law = {t.stiffness_across, t.stiffness_along, t.strength, t.forward_limit, t.backward_limit};
   return out;
 }
@@ -59,6 +60,7 @@ void Couplings::ask_ties(uint32_t coupling) noexcept {
   const auto first = static_cast<uint32_t>(tie_.size());
   const auto room = static_cast<uint32_t>(shown_tie_.size()) - first;
   swage_tie* const shown = shown_tie_.data() + first;
+  for (uint32_t i = 0; i < room; ++i) shown[i].f_a_W = {};  // what the coupling does not say is not known
   const swage_coupling_step& step = begin(coupling, {});
   uint32_t n = 0;
   const bool given = host::guarded(instance, host::Call::kTies, now,

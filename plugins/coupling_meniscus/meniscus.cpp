@@ -96,11 +96,12 @@ uint32_t Meniscus::ties(const CouplingStep& step, std::span<swage_tie> out) {
       if (!wet(i) || (wet(i + 1) && i > 0 && wet(i - 1)) == fronts) continue;
       const Lift at = lift(step, *law, state.place[i], this->at(i));
       if (!at.good) continue;
+      bridge_[used] = i;
       swage_tie& tie = out[used++] = {};
       tie.body_a = at.body, tie.body_b = static_cast<uint32_t>(state.place[i].body);
       tie.p_W = raw(at.p_W), tie.axis_W = raw(at.n_W), tie.offset_W = raw(Vec3(at.up * at.n_W));
       tie.stiffness_along = film.stiffness, tie.forward_limit = film.pull, tie.backward_limit = 0;
-      tie.strength = 0;
+      tie.strength = 0, tie.f_a_W = raw(Vec3(-state.place[i].pull * at.n_W));
     }
   state.served = used;
   return used;
@@ -110,7 +111,8 @@ void Meniscus::on_solved(const CouplingStep& step, std::span<const swage_tie> ti
   if (!moist()) return;
   auto& state = step.state<MeniscusState>();
   state.force = 0;
-  for (const swage_tie& tie : ties) state.force += vec(tie.f_a_W).norm();
+  for (Place& place : state.place) place.pull = 0;
+  for (size_t k = 0; k < ties.size(); ++k) state.force += state.place[bridge_[k]].pull = vec(ties[k].f_a_W).norm();
 }
 
 /// A place becomes dry when it is lifted out of the film, or without a touch has moved along the surface by more than film and spacing.

@@ -25,6 +25,7 @@ struct Place {
   double wet = 0;     // 1: a bridge holds it
   double body = 0;    // body index in the other object
   double p_B[3] = {}, n_B[3] = {};  // m, unit: where the place lay, and the surface normal there, in that body's frame
+  double pull = 0;                  // N, of its bridge in the last step
 };
 
 /// The private state of the coupling.
@@ -76,6 +77,7 @@ class Meniscus final : public Coupling<MeniscusParams>, public Ties {
   Lift lift(const CouplingStep& step, const swage_strand_law& law, const Place& place, double s) const;
 
   MeniscusParams params_;
+  uint32_t bridge_[kMostBridges] = {};  // place of each tie of this step
   swage_environment environment_{};
   StrandPeer thread_;
   Signal force_, wet_, left_out_;

@@ -164,6 +164,7 @@ swage_tie support_tie(const Site& site, const Support& support, const NeedlePoin
   tie.strength = site.law.failure_stress * 2 * site.radius * support.share;
   tie.forward_limit = tie.backward_limit =
       site.law.drag * support.share + site.law.friction * (vec3(support.across).norm() + support.rub);
+  tie.f_a_W = raw(Vec3(site.X_WO.q * vec3(support.across) + support.along * at.advance_W));
   return tie;
 }
 
@@ -180,6 +181,7 @@ swage_tie front_tie(const Site& site, const Track& track, double progress, doubl
   tie.forward_limit = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
   tie.stiffness_along = face ? site.law.stiffness : site.law.cutting_force / (kFront * site.radius);
   tie.strength = HUGE_VAL;
+  tie.f_a_W = raw(Vec3(-track.cutting * advance));
   return tie;
 }
 
@@ -214,6 +216,7 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
   const double rolls = vec(site.a->V_WB[middle->body].w).dot(advance) * site.a.dt() * lever.norm();
   const double stretch = -track.roll / (lever.norm() * tie.stiffness_along);
   tie.offset_W = raw(Vec3((stretch + rolls) * vec(tie.axis_W)));
+  tie.f_a_W = raw(Vec3(track.roll / lever.norm() * vec(tie.axis_W)));
   return tie;
 }
 
@@ -264,7 +267,7 @@ double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t o
     return 0;
   }
   if (of == Track::kOfPoint) {
-    const double force = -axis_W.dot(f);
+    const double force = track.cutting = -axis_W.dot(f);
     const bool gives = along > 0 && force >= (1 - 1e-9) * tie.forward_limit;
     if (track.out == Track::kBreaking) {
       track.peak_exit = std::max(track.peak_exit, force);

@@ -49,6 +49,7 @@ struct Track {
   double spacing;      // m between supports
   double thins;        // 1: every other support is losing its length, and is then removed
   double shared;       // m, progress when the length was last divided among the supports
+  double cutting;      // N, of the tissue against the point in the last step
   double roll;         // N m, about the needle's advance: moment against rolling in the last step
   double count;        // of supports
   double entry, exit;  // index of the wound; exit: -1 before

@@ -215,6 +215,7 @@ swage_tie tie_of(const Site& site, const PassageLaw& law, const Passage& passage
   tie.stiffness_along = Passage::kStick * tie.stiffness_across;
   tie.strength = law.failure_stress * 2 * site.strand.radius * hole.share;
   tie.forward_limit = tie.backward_limit = 0.5 * law.drag * passage.inside() + law.friction * vec3(hole.across).norm();
+  tie.f_a_W = raw(Vec3(site.X_WO.q * vec3(hole.across) + hole.along * advance));
   return tie;
 }
 

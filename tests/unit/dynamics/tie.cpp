@@ -71,8 +71,25 @@ TEST(TieLaw, ThePiecesOfAForceAreThoseThatItWasOn) {
   }
   // without limits nothing slips
   const TieLaw firm{100, 1000};
-  EXPECT_EQ(tie_pieces_before(firm, {1e9, 1e9, 0}).along, Piece::kStick);
+  EXPECT_EQ(tie_pieces_before(firm, {1e9, 1e9, 0}).along, Along::kStick);
   EXPECT_EQ(tie_kink({}, firm, {0, 0, 0}, {1, 1, 1}).t, HUGE_VAL);
+}
+
+// a film that was slack is continued as slack and one that pulled with its limit as pulling, on whichever side of rest the prediction lies
+TEST(TieLaw, SlipContinuesOnTheSideOnWhichItWas) {
+  const TieLaw film{0, 1000, HUGE_VAL, 5e-3, 0};
+  const TiePieces slack = tie_pieces_before(film, {0, 0, 0}), pulls = tie_pieces_before(film, {-5e-3, 0, 0});
+  for (const double g : {-1e-6, 1e-6, 1e-3}) {
+    EXPECT_EQ(tie_force_on(slack, film, {g, 0, 0}).fn, 0) << g;
+    EXPECT_EQ(tie_force_on(pulls, film, {g, 0, 0}).fn, -5e-3) << g;
+  }
+  // both end where the spring of the film begins
+  EXPECT_NEAR(tie_kink(slack, film, {-1e-6, 0, 0}, {1e-6, 0, 0}).t, 1, 1e-12);
+  EXPECT_NEAR(tie_kink(pulls, film, {9e-6, 0, 0}, {-1e-6, 0, 0}).t, 4, 1e-12);
+  EXPECT_EQ(tie_kink(slack, film, {-1e-6, 0, 0}, {1e-6, 0, 0}).next.along, Along::kStick);
+  EXPECT_EQ(tie_kink(pulls, film, {9e-6, 0, 0}, {-1e-6, 0, 0}).next.along, Along::kStick);
+  EXPECT_EQ(tie_kink(slack, film, {-1e-6, 0, 0}, {-1e-6, 0, 0}).t, HUGE_VAL);
+  EXPECT_EQ(tie_kink(pulls, film, {9e-6, 0, 0}, {1e-6, 0, 0}).t, HUGE_VAL);
 }
 
 /// A body in a world; ties are laid before each step by the test, which plays the coupling.

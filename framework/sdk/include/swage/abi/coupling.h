@@ -63,7 +63,7 @@ typedef struct swage_tie {
   double strength;           /* N, greatest force across the axis; HUGE_VAL: it never yields */
   double forward_limit;      /* N, greatest force against a motion of a along +axis; HUGE_VAL: it never slides */
   double backward_limit;     /* N, the same against a motion of a along -axis */
-  swage_vec3 f_a_W;          /* N on a; written by the host before on_solved() */
+  swage_vec3 f_a_W;          /* N on a; written by the host before on_solved(). In ties(): that of the step before, where the solve starts; 0: not known */
   swage_vec3 plastic_slip_W; /* m, plastic part of s: slip along the axis, yield across it; same timing */
 } swage_tie;
 
