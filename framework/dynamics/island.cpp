@@ -330,9 +330,8 @@ bool IslandSolver::project_first(const Island& island, double tolerance, Outcome
 }
 
 /// Follows the path from the start, then from the solution without slip, from where a contact that must slip slips the right way. Where
-/// neither converges, or ends far away, limits are held. Far: a light body that slides out of a wedge loses friction as it slides,
-/// and leaves within the step; with held limits it slides only as far as its loads exceed these. A thread goes
-/// far: it runs through the contacts that hold it.
+/// neither converges, or ends far away, limits are held. Far: a light body that slides out of a wedge loses friction and leaves within
+/// the step; with held limits it slides only as far as its loads exceed these. A thread goes far, through the contacts that hold it.
 void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept {
   const double tolerance = scales.converged;
   outcome.fell_back = true;
@@ -342,7 +341,7 @@ void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome
     hold_limits(island, tolerance, 1, outcome);
     return;
   }
-  // a needle in tissue: Newton's method from where nothing slips ends better than a path, whose end may be far from there
+  // a needle in tissue: a path may end far from where nothing slips, Newton's method ends near; the path is tried last
   const bool tied = has_ties(island) && !island.banded, long_path = island.banded && touching_ > kMostBends;
   bool stood = false;
   start();
@@ -354,6 +353,7 @@ void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome
     std::copy_n(z_.begin(), point_size_, before_.begin());
     stood = consistent_;
     outcome.converged = !far && (tied ? newton(island, tolerance) : !long_path && follow_path(island, tolerance));
+    if (tied && !outcome.converged) outcome.converged = follow_path_near(island, scales, stood);
   }
   if (outcome.converged) {
     evaluate(island, z_.data(), Friction::kCoulomb);

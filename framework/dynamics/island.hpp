@@ -135,6 +135,7 @@ class IslandSolver {
 
   // island_path.cpp
   bool follow_path(const Island& island, double tolerance) noexcept;
+  bool follow_path_near(const Island& island, const Scales& scales, bool consistent) noexcept;
   void evaluate_pieces(const Island& island, const double* z) noexcept;
   bool search_direction_on_pieces(const Island& island) noexcept;
   uint32_t first_kink(const Island& island, uint32_t passed, bool turns, double& fraction, Pieces& next) const noexcept;

@@ -120,4 +120,11 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
   return false;
 }
 
+/// Follows the path from the solution without slip, before_. False also where it ends farther away than a body moves in a step.
+bool IslandSolver::follow_path_near(const Island& island, const Scales& scales, bool consistent) noexcept {
+  std::copy_n(before_.begin(), point_size_, z_.begin());
+  consistent_ = consistent;
+  return follow_path(island, scales.converged) && space_->moved(z_.data()) <= scales.lost;
+}
+
 }  // namespace swage::dynamics

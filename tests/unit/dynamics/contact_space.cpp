@@ -9,6 +9,7 @@
 #include "base/rng.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/axes.hpp"
+#include "dynamics/constraint_law.hpp"
 #include "dynamics/dynamics.hpp"
 #include "dynamics/island.hpp"
 #include "three_balls.hpp"
@@ -127,6 +128,40 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
   }
   EXPECT_GT(alike, 150u);
   for (const uint32_t n : {sticks, slips, opens, slides, tears}) EXPECT_GT(n, 100u);
+}
+
+/// Largest force or moment over the wire's radius that is not balanced, where every force is that of Coulomb's law [N].
+double unbalanced(const Bite& bite) {
+  double F[7], worst = 0;
+  for (const DofBlock* block : bite.blocks) block->residual(bite.d + block->offset, F + block->offset);
+  for (const Constraint& c : bite.constraint) {
+    double limit = 0;
+    const Force f = constraint_force(c, c.u, Friction::kCoulomb, limit);
+    const double along[] = {f.fn, f.f1, f.f2};
+    const uint32_t columns = c.size_a + c.size_b;
+    for (uint32_t k = 0; k < 3; ++k)
+      for (uint32_t i = 0; i < columns; ++i) F[i] -= c.J[k * columns + i] * along[k];
+  }
+  for (int i = 0; i < 7; ++i) worst = std::max(worst, std::abs(F[i]) / (i < 3 ? 1 : i < 6 ? 5e-5 : 12e-3));
+  return worst;
+}
+
+// Where Newton's method does not converge with ties either, the path does but for one island in twenty, and ends at a solution.
+TEST(ContactSpace, TiesFollowThePathWhereNewtonsMethodStalls) {
+  for (const bool forces : {false, true}) {
+    uint32_t fell_back = 0, held = 0;
+    for (uint64_t seed = 1; seed <= 300; ++seed) {
+      Bite bite(seed);
+      const Outcome outcome = bite.solve(forces);
+      fell_back += outcome.fell_back, held += outcome.held;
+      if (!outcome.converged || outcome.held) continue;
+      double most = 0;
+      for (const Constraint& c : bite.constraint) most = std::max(most, std::hypot(c.f.fn, c.f.f1, c.f.f2));
+      EXPECT_LT(unbalanced(bite), 1e-6 * most) << seed;
+    }
+    EXPECT_GT(fell_back, 100u) << forces;
+    EXPECT_LT(20 * held, fell_back) << forces;
+  }
 }
 
 /// A ball with the mobility of a free body that cannot rotate, or one set by the test.
