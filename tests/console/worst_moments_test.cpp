@@ -59,9 +59,9 @@ TEST(MetricLimits, AValueIsMarkedOutsideWhatIsAskedAndNotOnIt) {
   EXPECT_EQ(beyond(std::nan(""), {0.2, 0.9}), Beyond::kNo);
   EXPECT_NE(beyond_sign(Beyond::kAbove), beyond_sign(Beyond::kBelow)) << "the direction is told without colour";
   EXPECT_EQ(beyond_sign(Beyond::kNo), "");
-  EXPECT_EQ(limit_words({{}, 0.9}, "N"), "At most 0.90 N is asked");
-  EXPECT_EQ(limit_words({0.2, 0.9}, "N"), "From 0.20 N to 0.90 N is asked");
-  EXPECT_EQ(limit_words({0.5, {}}, "%"), "At least 50 % is asked");
+  EXPECT_EQ(limit_words({{}, 0.9}, "N"), QStringLiteral("At most 0.90\u202fN is asked"));
+  EXPECT_EQ(limit_words({0.2, 0.9}, "N"), QStringLiteral("From 0.20\u202fN to 0.90\u202fN is asked"));
+  EXPECT_EQ(limit_words({0.5, {}}, "N"), QStringLiteral("At least 0.50\u202fN is asked"));
   EXPECT_EQ(limit_words({}, "N"), "");
 }
 
@@ -69,9 +69,10 @@ TEST(MetricLimits, OfAnAttemptBelongToItsMeasurementsNotToItsDeductions) {
   Peaked p;
   p.attempt.metrics.push_back({"points.time", "1", 3});
   Review review = make_review(p.attempt, p.recording, p.events);
+  review.metrics[2].points = true;
   set_limits(review, [](const std::string& metric) { return metric == "odd.number" ? MetricTarget{} : MetricTarget{{}, 0.9}; });
   EXPECT_EQ(beyond(review.metrics[0].number, review.metrics[0].target), Beyond::kAbove);
-  EXPECT_EQ(review.metrics[0].asked, "At most 0.90 N is asked");
+  EXPECT_EQ(review.metrics[0].asked, QStringLiteral("At most 0.90\u202fN is asked"));
   for (int i : {1, 2}) EXPECT_EQ(review.metrics[i].target, MetricTarget()) << review.metrics[i].id;
 }
 
