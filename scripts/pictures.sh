@@ -4,7 +4,9 @@
 # Pictures of every page of the console, to be looked at: filled with a synthetic school and empty, 1280x800 and 1920x1080, English and
 # German; and a knot of the thread, tied and cut off. Needs a build of the preset and Debian's package xvfb.
 #
-#   scripts/pictures.sh <folder> [preset]
+#   scripts/pictures.sh <folder> [preset] [all or readme]
+#
+# "readme": those of the first page alone, under the names that they have in resources/pictures, to be copied there once they were looked at.
 set -euo pipefail
 folder=${1:?folder for the pictures}
 mkdir -p "$folder"
@@ -24,6 +26,31 @@ picture() {
     timeout 120 "$bin/swage-console" "$@" --at "${at:-1}" --screenshot "$folder/$name.png" 2>"$folder/$name.log" ||
     echo "$name: see $folder/$name.log"
 }
+
+# a lesson's expert, by the moment of the attempt in s; then options of the console
+live() {
+  local lesson=$1
+  shift
+  picture "$lesson" "lessons/series/$lesson.json" --store :none: --start --device expert --person Guest --mode demo --seed 3 --language en "$@"
+}
+
+# The knot is replayed from a headless attempt: its steps are slower than real time on most machines.
+first_page() {
+  at=9 live 110_insertion --size 1440x900
+  mv "$folder/110_insertion.png" "$folder/console_insertion.png"
+  at=9 live 110_insertion --trainee side --size 1440x900
+  mv "$folder/110_insertion.png" "$folder/trainee_stereo.png"
+  at=4.5 live 050_suture_grasp --size 1280x800
+  mv "$folder/050_suture_grasp.png" "$folder/console_suture.png"
+  local knots=$folder/knots.db
+  [ -f "$knots" ] || "$bin/swage" run lessons/series/132_square_knot.json --headless --as-fast-as-possible --device expert --store "$knots" >"$folder/knots.log"
+  at=53.5 picture square_knot --review latest --store "$knots" --size 1280x800 --language en --view near --trainee one
+}
+
+if [ "${3:-all}" = readme ]; then
+  first_page
+  exit
+fi
 
 for language in en de; do
   for size in 1280x800 1920x1080; do

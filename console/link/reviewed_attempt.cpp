@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "console/models/metric_limits.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -97,8 +99,9 @@ void ReviewedAttempt::read_moments() {
   if (school && from_store_) given = desk_->given(row.id);
   review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr, given);
   const QString lesson = QString::fromStdString(row.lesson_id);
-  worst_ = worst_moments(review_, recording_,
-                         [&](const std::string& metric) { return finder_ ? finder_(lesson, metric).target : MetricTarget{}; });
+  const auto target = [&](const std::string& metric) { return finder_ ? finder_(lesson, metric).target : MetricTarget{}; };
+  set_limits(review_, target);
+  worst_ = worst_moments(review_, recording_, target);
 }
 
 QString ReviewedAttempt::read_other(const std::string& id, record::AttemptRow& row, record::Recording& recording) const {

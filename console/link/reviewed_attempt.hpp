@@ -26,7 +26,7 @@ class ReviewedAttempt {
   void set_file_services(FileOpener open, FileReader read);
   /// Reader of attempts for exports.
   void set_export(ExportReader reader) { exported_ = std::move(reader); }
-  /// Direction and target of a metric in a lesson; without it worst moments have no limits.
+  /// Direction and target of a metric in a lesson; without it metrics and worst moments have no limits.
   using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
   void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
   /// The desk for notes and ratings; without it none can be made. It outlives the attempt.

@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "console/models/words.hpp"
+
 namespace swage::console {
 namespace {
 

@@ -88,8 +88,10 @@ void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Re
     line.id = m.id;
     line.name = metric_title(qt(m.id));
     line.points = metric_show(qt(m.id)) == SWAGE_SHOW_POINTS;
+    line.number = m.value;
+    line.unit = metric_unit(qt(m.id), qt(m.unit));
     line.value = line.points ? (m.value < 0.05 ? QStringLiteral("0") : QStringLiteral("−%L1").arg(m.value, 0, 'f', 1))
-                             : quantity_text(m.value, metric_unit(qt(m.id), qt(m.unit)));
+                             : quantity_text(m.value, line.unit);
     line.better = facts.better;
     for (const judge::Name& name : r.info.script.metrics) {
       if (name.id == m.id) line.doc = said(name.doc);

@@ -42,6 +42,10 @@ struct MetricLine {
   QString name, value, doc;  // doc: description and, if the lesson has it, formula
   int32_t better = SWAGE_BETTER_NONE;
   bool points = false;  // points deducted, of the score's 100: not a measurement
+  double number = 0;    // the value in SI
+  QString unit;         // that of quantity_text()
+  MetricTarget target;  // what the lesson asks, SI; none where it asks nothing
+  QString asked;        // the words for it
 };
 
 struct Review {

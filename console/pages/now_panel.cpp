@@ -18,6 +18,9 @@ constexpr double kTensionHeld_s = 0.25;  // interval of the displayed maximum te
 constexpr double kSoon_s = 15;  // remaining time at which it is highlighted
 constexpr double kShown_N = 8;  // end of the force axis without a limit
 
+// In mN whatever the value is: a thread of 10-0 breaks at 0.3 N, and a unit that changes while it is read misleads.
+QString tension_text(double tension_N) { return with_unit(QLocale().toString(1e3 * tension_N, 'f', 1), "mN"); }
+
 }  // namespace
 
 NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
@@ -255,16 +258,15 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
 
 // Shows the tension beside the lesson's limit, if there is one.
 void NowPanel::show_tension(const Reading& r, double time_s) {
-  const QString unit = QStringLiteral("N");
   tension_N_ = std::max(tension_N_, r.tension.value_or(0));
   const bool again = time_s < tension_since_s_;  // a new attempt: its time starts again
   if (r.tension && !again && time_s < tension_since_s_ + kTensionHeld_s && time_s > 0) return;
   const double now = again ? r.tension.value_or(0) : tension_N_, most = asked_.max_tension_N;
-  const QString text = quantity_text(now, unit);
+  const QString text = tension_text(now);
   tension_.value->setText(!r.tension   ? QStringLiteral("–")
                           : most <= 0  ? text
-                          : now > most ? tr("▲ %1, over %2").arg(text, quantity_text(most, unit))
-                                       : tr("%1 of %2").arg(text, quantity_text(most, unit)));
+                          : now > most ? tr("▲ %1, over %2").arg(text, tension_text(most))
+                                       : tr("%1 of %2").arg(text, tension_text(most)));
   tension_N_ = 0;
   tension_since_s_ = time_s;
 }

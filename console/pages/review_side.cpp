@@ -5,6 +5,7 @@
 
 #include "console/pages/rating_panel.hpp"
 #include "console/pages/review_tables.hpp"
+#include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
@@ -20,7 +21,7 @@ ReviewSide::ReviewSide(QWidget* parent) : QWidget(parent) {
   // on a small screen tab titles are elided, so that no tab is hidden behind an arrow
   tabs_->setUsesScrollButtons(false);
   tabs_->setElideMode(Qt::ElideRight);
-  tabs_->addTab(metrics_ = new MetricsTable(tabs_), tr("&Metrics"));
+  tabs_->addTab(make_metrics(), tr("&Metrics"));
   tabs_->addTab(worst_ = new WorstTable(tabs_), tr("&Worst"));
   tabs_->setTabToolTip(1, tr("Worst moments"));
   tabs_->addTab(moments_ = new MomentsTable(tabs_), tr("&Events"));
@@ -41,7 +42,23 @@ ReviewSide::ReviewSide(QWidget* parent) : QWidget(parent) {
   connect(ratings_, &RatingPanel::rated, this, &ReviewSide::rated);
 }
 
+// The table, and below it what the lesson asks of the chosen metric: a tooltip is not reached by keys.
+QWidget* ReviewSide::make_metrics() {
+  auto* box = new QWidget(tabs_);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(metrics_ = new MetricsTable(box), 1);
+  asked_ = new ElidedLabel(box);
+  asked_->setObjectName(QStringLiteral("review_asked"));
+  asked_->setProperty("muted", true);
+  column->addWidget(asked_);
+  connect(metrics_, &MetricsTable::asked, asked_, &QLabel::setText);
+  return box;
+}
+
 void ReviewSide::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  metrics_->set_theme(ui);
   track_->set_theme(ui);
   legend_->set_themes(ui, cues);
 }

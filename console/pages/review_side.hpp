@@ -15,6 +15,7 @@
 
 namespace swage::console {
 
+class ElidedLabel;
 class MetricsTable;
 class MomentsTable;
 class RatingPanel;
@@ -48,7 +49,10 @@ class ReviewSide : public QWidget {
   void rated(const QString& item_id, std::optional<double> points);
 
  private:
+  QWidget* make_metrics();
+
   MetricsTable* metrics_;
+  ElidedLabel* asked_;
   WorstTable* worst_;
   MomentsTable* moments_;
   TracesList* traces_;

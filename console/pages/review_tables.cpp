@@ -4,12 +4,15 @@
 #include <QHeaderView>
 #include <utility>
 
+#include "console/models/metric_limits.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
 namespace {
 
+constexpr int kValueColumn = 1;
 constexpr int kOtherColumn = 3;  // of the metrics: those of the compared attempt
+constexpr int kAsked = Qt::UserRole, kIsBeyond = Qt::UserRole + 1;  // what is asked of a metric; whether a value is outside it
 constexpr int kMostTraces = 6;   // with more each trace would be too low
 constexpr int kFirstTraces = 4;  // chosen at first
 
@@ -37,22 +40,50 @@ QTableWidgetItem* cell(const QString& text, const QString& tip = {}) {
   return out;
 }
 
+QString tip_of(const MetricLine& m) { return m.asked.isEmpty() ? m.doc : m.asked + QLatin1Char('\n') + m.doc; }
+
 }  // namespace
 
 MetricsTable::MetricsTable(QWidget* parent) : QTableWidget(parent) {
   dress(*this, {tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"));
   setColumnHidden(kOtherColumn, true);
+  connect(this, &QTableWidget::currentCellChanged, this, &MetricsTable::tell);
+}
+
+void MetricsTable::set_theme(const UiTheme& ui) {
+  beyond_ = ui["warn"];
+  for (int row = 0; row < rowCount(); ++row)
+    for (const int column : {kValueColumn, kOtherColumn})
+      if (QTableWidgetItem* value = item(row, column); value && value->data(kIsBeyond).toBool()) value->setForeground(beyond_);
+}
+
+void MetricsTable::tell(int row) {
+  const QTableWidgetItem* name = row < 0 ? nullptr : item(row, 0);
+  Q_EMIT asked(name ? name->data(kAsked).toString() : QString());
+}
+
+// The value of this attempt or of the other one, with a sign where it is outside what the lesson asks of the metric.
+QTableWidgetItem* MetricsTable::value_cell(const MetricLine& line, const MetricLine& metric) const {
+  const Beyond where = beyond(line.number, metric.target);
+  const QString sign = beyond_sign(where);
+  QTableWidgetItem* out = cell(sign.isEmpty() ? line.value : sign + QLatin1Char(' ') + line.value, tip_of(metric));
+  out->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  if (where == Beyond::kNo) return out;
+  out->setData(kIsBeyond, true);
+  out->setData(Qt::AccessibleTextRole, tr("%1, beyond the limit. %2").arg(line.value, metric.asked));
+  if (beyond_.isValid()) out->setForeground(beyond_);
+  return out;
 }
 
 void MetricsTable::add(const MetricLine& m, const Review* other) {
   const int at = rowCount();
   insertRow(at);
-  setItem(at, 0, cell(m.name, m.doc));
-  setItem(at, 1, cell(m.value, m.doc));
-  item(at, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setItem(at, 0, cell(m.name, tip_of(m)));
+  item(at, 0)->setData(kAsked, m.asked);
+  setItem(at, kValueColumn, value_cell(m, m));
   if (other) {
     const MetricLine* same = other->metric(m.id);
-    setItem(at, kOtherColumn, cell(same ? same->value : QStringLiteral("–"), m.doc));
+    setItem(at, kOtherColumn, same ? value_cell(*same, m) : cell(QStringLiteral("–"), tip_of(m)));
     item(at, kOtherColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
   if (m.points) return;

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QTableWidget>
 
+#include "console/cues/ui_theme.hpp"
 #include "console/models/review.hpp"
 #include "console/models/worst_moments.hpp"
 
@@ -18,10 +19,20 @@ class MetricsTable : public QTableWidget {
   explicit MetricsTable(QWidget* parent);
   /// `other`: an attempt that is compared, or nullptr.
   void fill(const Review& review, const Review* other);
+  /// The colour of values outside what the lesson asks; a sign stands before them.
+  void set_theme(const UiTheme& ui);
+
+ Q_SIGNALS:
+  /// What the lesson asks of the metric in the current row, "" where it asks nothing.
+  void asked(const QString& words);
 
  private:
   void add(const MetricLine& metric, const Review* other);
+  QTableWidgetItem* value_cell(const MetricLine& line, const MetricLine& metric) const;
   void add_heading();
+  void tell(int row);
+
+  QColor beyond_;
 };
 
 class MomentsTable : public QTableWidget {

@@ -21,6 +21,21 @@
     </message>
 </context>
 <context>
+    <name>MediumLook</name>
+    <message>
+        <source>Dry field</source>
+        <translation>Trockenes Feld</translation>
+    </message>
+    <message>
+        <source>Moist field</source>
+        <translation>Feuchtes Feld</translation>
+    </message>
+    <message>
+        <source>Under water</source>
+        <translation>Unter Wasser</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>What the cues mean</source>
@@ -469,6 +484,18 @@
     <message>
         <source>Not passed, and no mark of the whole: what a failed attempt lost is not counted in points. Computed from metrics: %1, the mean of %2 of %3 items.</source>
         <translation>Nicht bestanden, und keine Note des Ganzen: Was ein nicht bestandener Versuch verlor, wird nicht in Punkten gezählt. Aus Kennzahlen berechnet: %1, Mittel von %2 der %3 Kriterien.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 is asked</source>
+        <translation>Verlangt: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>At most %1 is asked</source>
+        <translation>Verlangt: höchstens %1</translation>
+    </message>
+    <message>
+        <source>At least %1 is asked</source>
+        <translation>Verlangt: mindestens %1</translation>
     </message>
 </context>
 <context>
@@ -2967,6 +2994,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>What each fault has cost of the score</source>
         <translation>Was jeder Fehler an Punkten gekostet hat</translation>
+    </message>
+    <message>
+        <source>%1, beyond the limit. %2</source>
+        <translation>%1, außerhalb der Grenze. %2</translation>
     </message>
 </context>
 <context>

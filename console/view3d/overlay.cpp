@@ -140,14 +140,34 @@ void Overlay::scale_bar(double mm_per_pixel, double left, bool ground) {
   keep_clear(all);
 }
 
+// The first free place of a cue's label about its grasp: its own corner, the same corner further out, the other corners; where none is
+// free, above or below what is in its own.
+QRectF Overlay::cue_place(const QPointF& at, int slot, const QString& text, double signs) {
+  constexpr double kAside_px = 120, kUp_px = -84, kDown_px = 64, kOut = 1.6;
+  const double x = slot == 1 ? -kAside_px : kAside_px, y = slot == 2 ? kDown_px : kUp_px, other_y = slot == 2 ? kUp_px : kDown_px;
+  const QSizeF size = size_of(text, p_.font(), signs);
+  const QRectF inside = area_.adjusted(6, 6, -6, -6);
+  const auto below_clock = [&](QPointF centre) {
+    centre.setY(std::max(centre.y(), area_.top() + kBelowClock_px));
+    return centre;
+  };
+  for (const QPointF& way : {QPointF(x, y), QPointF(kOut * x, kOut * y), QPointF(-x, y), QPointF(x, other_y), QPointF(-x, other_y)}) {
+    QRectF r(QPointF(), size);
+    r.moveCenter(below_clock(at + way));
+    const bool free = std::none_of(taken_.begin(), taken_.end(), [&](const QRectF& other) { return r.intersects(other); });
+    if (!free || !inside.contains(r)) continue;
+    taken_.push_back(r);
+    return r;
+  }
+  return room(below_clock(at + QPointF(x, y)), text, p_.font(), signs);
+}
+
 void Overlay::cue(const QPointF& at, const CueStyle& style, int slot, double clear_px) {
   // a line from the grasp to its label, which is clear of the tips
   const QFont font = p_.font();
   const double sign = 22, signs = sign * static_cast<double>(style.shape.size()) + 6;
-  QPointF label = at + QPointF(slot == 1 ? -120 : 120, slot == 2 ? 64 : -84);
-  label.setY(std::max(label.y(), area_.top() + kBelowClock_px));
-  const QRectF r = room(label, style.text, font, signs);
-  label = r.center();
+  const QRectF r = cue_place(at, slot, style.text, signs);
+  const QPointF label = r.center();
   p_.setRenderHint(QPainter::Antialiasing);
   const QPointF way = label - at;
   const QPointF from = at + way * (clear_px / std::max(std::hypot(way.x(), way.y()), 1.0));
@@ -299,6 +319,10 @@ void Overlay::banner(const QString& text) {
 void Overlay::caption(const QString& text) {
   const double w = QFontMetricsF(p_.font()).horizontalAdvance(text) + 20;
   pill(QPointF(area_.left() + 0.5 * w, area_.top()), text, p_.font());
+}
+
+void Overlay::corner(const QString& text) {
+  if (!text.isEmpty()) caption(text);
 }
 
 void Overlay::message(const QString& text) {

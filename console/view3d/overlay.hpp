@@ -51,6 +51,8 @@ class Overlay {
   /// Keeps later labels off this area.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }
   void clock(const QString& text);
+  /// A fact of the scene in the upper left corner; nothing for "".
+  void corner(const QString& text);
   /// The title of an inset, at its top left.
   void caption(const QString& text);
   void banner(const QString& text);
@@ -63,6 +65,7 @@ class Overlay {
 
  private:
   QSizeF size_of(const QString& text, const QFont& font, double extra_left) const;
+  QRectF cue_place(const QPointF& at, int slot, const QString& text, double extra_left);
   QRectF beside(const QPointF& at, double radius_px, const QString& text, double extra_left);
   QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);
   void paint_label(const QRectF& at, double round_px);

@@ -2,6 +2,7 @@
 #include "console/view3d/qt3d_material.hpp"
 
 #include <QVector2D>
+#include <QVector4D>
 #include <Qt3DRender/QBlendEquation>
 #include <Qt3DRender/QBlendEquationArguments>
 #include <Qt3DRender/QCullFace>
@@ -79,6 +80,8 @@ uniform vec3 colour;
 uniform float metal;
 uniform float gloss;
 uniform float finish;
+uniform vec4 veil;  // colour, share per mm
+uniform vec3 film;  // on tissue, on what is plain, net of light under water
 const vec3 key = vec3(-0.408, 0.707, 0.577);
 const vec3 fill = vec3(0.802, 0.100, 0.589);
 float studio(vec3 r) {
@@ -111,6 +114,14 @@ vec3 raised(vec3 n, float height) {
   float det = dot(along, a);
   return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
 }
+// how far a face looks up, 0..1
+float upward() { return clamp(normalize(cross(dFdx(world), dFdy(world))).z, 0.0, 1.0); }
+// the bright net below a surface of water: where two uneven layers of light are both at their ridges
+float net_of_light() {
+  vec3 p = vec3(0.7 * world.xy, 0.2 * world.z);
+  float a = 1.0 - abs(2.0 * noise(p) - 1.0), b = 1.0 - abs(2.0 * noise(1.7 * p + 9.0) - 1.0);
+  return pow(a, 5.0) + 0.6 * pow(b, 5.0);
+}
 )" SWAGE_TEXT(SWAGE_CLEAR_SIGHT_FORMULA) R"(
 float cleared() {
   return clear_size.x <= 0.0 ? 0.0 : hides(eyePosition, clear_centre, world, clear_size.x, clear_size.y, clear_fade);
@@ -121,6 +132,11 @@ bool left_out() {
   int q = p.x ^ p.y;
   float threshold = (float(((q & 1) << 3) | ((p.y & 1) << 2) | (q & 2) | ((p.y & 2) >> 1)) + 0.5) / 16.0;
   return cleared() > threshold;
+}
+// reflection of a film of water
+float wet(vec3 r, float facing) {
+  float glint = pow(max(dot(r, key), 0.0), 110.0) + 0.6 * pow(max(dot(r, fill), 0.0), 110.0);
+  return (0.04 + 0.5 * pow(1.0 - facing, 4.0)) * studio(r) + 0.55 * glint;
 }
 void main() {
   vec3 n = normalize(normal);
@@ -135,6 +151,8 @@ void main() {
     float flushed = smoothstep(0.30, 0.80, 0.55 * coarse + 0.30 * middle + 0.15 * fine);
     c0 *= mix(vec3(1.0), vec3(0.95, 0.80, 0.78), flushed);
     n = raised(n, 0.05 * coarse + 0.03 * middle + 0.008 * fine);
+  } else if (film.y > 0.0) {
+    n = raised(n, 0.05 * noise(0.8 * world) + 0.03 * noise(2.1 * world));
   }
   vec3 r = reflect(-v, n);
   float facing = max(dot(n, v), 0.0);
@@ -144,12 +162,16 @@ void main() {
   vec3 matte = c0 * diffuse + vec3(0.22 * highlight + 0.10 * rim);
   if (finish > 0.5 && finish < 1.5) {
     vec3 glow = mix(vec3(1.0, 0.74, 0.70), vec3(1.0), smoothstep(0.45, 1.0, diffuse));
-    float film = 0.04 + 0.5 * pow(1.0 - facing, 4.0);
-    float glint = pow(max(dot(r, key), 0.0), 110.0) + 0.6 * pow(max(dot(r, fill), 0.0), 110.0);
-    matte = c0 * diffuse * glow + vec3(film * studio(r) + 0.55 * glint);
+    matte = c0 * diffuse * glow + vec3(film.x * wet(r, facing));
+  } else if (film.y > 0.0) {
+    matte += vec3(film.y * wet(r, facing));
   }
   vec3 steel = c0 * (0.72 * studio(r) + 0.34 * diffuse) * (0.9 + 0.4 * rim) + vec3(0.25 * highlight);
   vec3 c = mix(matte, steel, metal);
+  if (veil.w > 0.0) {
+    c += vec3(film.z * upward() * net_of_light());
+    c = mix(veil.rgb, c, exp(-veil.w * length(position)));
+  }
   // a shoulder instead of a hard white
   c = min(c, 0.75 + 0.25 * (1.0 - exp(-max(c - 0.75, 0.0) / 0.25)));
   fragColor = vec4(c, 1.0);
@@ -272,6 +294,8 @@ SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),
       clear_centre_(add_parameter(this, "clear_centre")),
       clear_size_(add_parameter(this, "clear_size")),
+      veil_(add_parameter(this, "veil")),
+      film_(add_parameter(this, "film")),
       colour_(add_parameter(this, "colour")),
       metal_(add_parameter(this, "metal")),
       gloss_(add_parameter(this, "gloss")),
@@ -279,6 +303,7 @@ SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
   add_parameter(this, "clear_fade")->setValue(kClearFade);
   add_technique(this, kSolidVertex, kSolidFragment);
   set(ClearSight());
+  set(MediumLook());
   set(Surface());
 }
 
@@ -292,6 +317,11 @@ void SolidMaterial::set(const Surface& s) {
 void SolidMaterial::set(const ClearSight& sight) {
   clear_centre_->setValue(sight.centre);
   clear_size_->setValue(QVector2D(sight.radius, sight.kept));
+}
+
+void SolidMaterial::set(const MediumLook& look) {
+  veil_->setValue(QVector4D(shade(look.veil), look.veil_per_mm));
+  film_->setValue(QVector3D(look.tissue_film, look.stage_film, look.net));
 }
 
 GhostMaterial::GhostMaterial(Qt3DCore::QNode* parent) : QMaterial(parent), colour_(add_parameter(this, "colour")) {

@@ -21,9 +21,10 @@ class SolidMaterial : public Qt3DRender::QMaterial {
   explicit SolidMaterial(Qt3DCore::QNode* parent);
   void set(const Surface& surface);
   void set(const ClearSight& sight);
+  void set(const MediumLook& look);
 
  private:
-  Qt3DRender::QParameter *clear_centre_, *clear_size_;
+  Qt3DRender::QParameter *clear_centre_, *clear_size_, *veil_, *film_;
   Qt3DRender::QParameter *colour_, *metal_, *gloss_, *finish_;
 };
 

@@ -105,6 +105,13 @@ class Qt3dRenderer final : public Renderer {
       if (part.material) part.material->set(sight);
   }
 
+  void set_medium(const MediumLook& look) override {
+    if (look == medium_) return;
+    medium_ = look;
+    for (Part& part : parts_)
+      if (part.material) part.material->set(look);
+  }
+
   void set_views(std::span<const View> views) override {
     for (size_t i = 0; i < target_->most_views(); ++i) {
       if (i >= views.size()) {
@@ -170,6 +177,7 @@ class Qt3dRenderer final : public Renderer {
     part.material = new SolidMaterial(part.entity);
     part.material->set(surface);
     part.material->set(clear_sight_);
+    part.material->set(medium_);
     part.entity->addComponent(part.material);
   }
 
@@ -222,6 +230,7 @@ class Qt3dRenderer final : public Renderer {
   std::unique_ptr<PictureTarget> target_;
   std::vector<Part> parts_;
   ClearSight clear_sight_;
+  MediumLook medium_;
   Qt3DCore::QEntity* floor_entity_ = nullptr;
   FloorMaterial* floor_material_ = nullptr;
   ShadowMaterial* shadow_material_[2] = {};

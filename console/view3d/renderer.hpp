@@ -18,6 +18,7 @@
 
 #include "console/view3d/clear_sight.hpp"
 #include "console/view3d/eye.hpp"
+#include "console/view3d/medium_look.hpp"
 #include "console/view3d/mesh.hpp"
 
 namespace swage::console {
@@ -102,6 +103,8 @@ class Renderer {
   virtual void set_views(std::span<const View> views) = 0;
   /// The disc that instruments (Finish::kBrushed) must not hide, in all views.
   virtual void set_clear_sight(const ClearSight& sight) = 0;
+  /// The medium in which all solid parts are seen.
+  virtual void set_medium(const MediumLook& look) = 0;
   /// The lens of all views, which have the same near and far plane; to be called after set_views().
   virtual void set_lens(const Lens& lens) = 0;
   virtual void resize(const QSize& pixels) = 0;

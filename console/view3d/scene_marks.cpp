@@ -5,9 +5,11 @@
 
 #include <QtMath>
 #include <algorithm>
+#include <cmath>
 
 #include "console/models/said.hpp"
 #include "console/view3d/jaw_angle.hpp"
+#include "console/view3d/needle_circle.hpp"
 #include "console/view3d/sight.hpp"
 
 namespace swage::console {
@@ -16,6 +18,8 @@ namespace {
 constexpr double kBesideWound_px = 9;  // from its edge to the ring of its cue
 constexpr double kAboutMark_px = 3;    // room around a circle, for words
 constexpr double kAboutWork_px = 14;   // room around tips and ends, for words
+constexpr double kAboutNeedle_px = 6;  // beside a needle, for words
+constexpr double kOnePlace_m = 1e-9;   // marks that are moved together differ by rounding only
 constexpr double kForceScale_px = 60;  // arrow of 1 N
 constexpr float kJawLine_mm = 0.7F;    // half of the line along the jaws' faces: as wide as the jaws at their base
 
@@ -38,6 +42,20 @@ std::pair<QChar, QString> turn_words(int key) {
 }
 
 }  // namespace
+
+Together at_one_place(const judge::Script& script, const snapshot::Snapshot& now, uint32_t mark) {
+  const auto near = [&](uint32_t a, uint32_t b) {
+    const swage_vec3 &p = now.mark_p_W[a], &q = now.mark_p_W[b];
+    return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) < kOnePlace_m;
+  };
+  bool first = false;
+  for (uint32_t m = 0; m < now.n_mark && m < script.marks.size(); ++m) {
+    if (m == mark || script.marks[m].mark.kind != SWAGE_MARK_POINT || !near(m, mark)) continue;
+    if (m < mark) return Together::kLater;
+    first = true;
+  }
+  return first ? Together::kFirst : Together::kAlone;
+}
 
 void SceneMarks::paint(Overlay& overlay, const Panel& panel, bool leads) const {
   if (!scene_.have_snapshot()) return;
@@ -106,7 +124,8 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
   const snapshot::Snapshot& now = scene_.now();
   for (uint32_t m = 0; scene_.judged() && m < now.n_mark && m < script.marks.size(); ++m) {
     const auto& mark = script.marks[m];
-    if (mark.mark.kind != SWAGE_MARK_POINT) continue;
+    const Together together = at_one_place(script, now, m);
+    if (mark.mark.kind != SWAGE_MARK_POINT || together == Together::kLater) continue;
     const uint32_t cue = shown_.cues_shown ? now.mark_cue[m] : SWAGE_NONE;
     if (cue == SWAGE_NONE && scene_.pierced()) continue;  // the wound is there now, and is to be seen
     const std::string meaning = cue < script.cues.size() ? script.cues[cue].id : mark.meaning;
@@ -118,7 +137,7 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     overlay.keep_clear({at.x() - clear, at.y() - clear, 2 * clear, 2 * clear});
     // where to bring it, and how much thread is to be left, is said while it is held: before that the word lies over what is to be taken
     const bool later = (meaning == "target.point" || meaning == "tail.point") && scene_.taken() == false;
-    if (!later) words.push_back({at, radius, style});
+    if (!later && together == Together::kAlone) words.push_back({at, radius, style});
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
   if (panel.inset != Inset::kNone) return;
@@ -126,7 +145,7 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
   for (const Word& w : words) overlay.target_word(w.at, w.radius, w.style);
 }
 
-// no word lies over the tips, or over an end or the middle of what is worked on
+// no word lies over the tips, over a needle, or over an end or the middle of what is worked on
 void SceneMarks::keep_work_clear(Overlay& overlay, const Panel& panel) const {
   const SceneParts& parts = scene_.parts();
   std::vector<Spot> places = parts.tips;
@@ -136,6 +155,11 @@ void SceneMarks::keep_work_clear(Overlay& overlay, const Panel& panel) const {
     const QPointF at = panel.view.eye.project(scene_.place_of(place), panel.size);
     overlay.keep_clear({at.x() - kAboutWork_px, at.y() - kAboutWork_px, 2 * kAboutWork_px, 2 * kAboutWork_px});
   }
+  for (const auto& line : wire_lines(scene_.card(), parts, scene_.X_WB()))
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+      const QRectF piece = QRectF(panel.view.eye.project(line[i], panel.size), panel.view.eye.project(line[i + 1], panel.size)).normalized();
+      overlay.keep_clear(piece.adjusted(-kAboutNeedle_px, -kAboutNeedle_px, kAboutNeedle_px, kAboutNeedle_px));
+    }
 }
 
 void SceneMarks::paint_forces(Overlay& overlay, const Panel& panel) const {

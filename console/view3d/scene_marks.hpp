@@ -12,6 +12,11 @@
 
 namespace swage::console {
 
+/// Points that a lesson holds at one place, as the answers of a question before it is asked: one circle shows them, and no word fits.
+enum class Together { kAlone, kFirst, kLater };
+/// Whether the point `mark` is alone, or else the first or a later one of those at its place.
+Together at_one_place(const judge::Script& script, const snapshot::Snapshot& now, uint32_t mark);
+
 class SceneMarks {
   Q_DECLARE_TR_FUNCTIONS(SceneMarks)
 

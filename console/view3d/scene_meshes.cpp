@@ -104,8 +104,10 @@ void SceneMeshes::lay_floor() {
     floor.radius = 4 * std::max(ground.half_x, ground.half_y);
     floor.fill = 0;
   }
-  floor.colour = shown_.ui["floor"];
-  floor.line = shown_.ui["floor_line"];
+  const MediumLook look = medium_look(scene_.card().medium, size);
+  renderer_.set_medium(look);
+  floor.colour = veiled(shown_.ui["floor"], look);
+  floor.line = veiled(shown_.ui["floor_line"], look);
   renderer_.set_floor(floor);
   renderer_.set_shelf(shelf_of(parts.shelf));
 }

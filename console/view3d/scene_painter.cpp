@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "console/view3d/medium_look.hpp"
+
 namespace swage::console {
 
 void ScenePainter::paint(QPainter& painter, const Canvas& canvas, const std::vector<Panel>& panels, const Picture& picture, const ViewWords& words,
@@ -34,8 +36,9 @@ void ScenePainter::paint_background(QPainter& painter, const Canvas& canvas, con
     background_ = QPixmap(pixels);
     QPainter p(&background_);
     QLinearGradient gradient(0, 0, 0, pixels.height());
-    gradient.setColorAt(0, shown_.ui["view_top"]);
-    gradient.setColorAt(1, shown_.ui["view_bottom"]);
+    const MediumLook look = medium_look(scene_.have_card() ? scene_.card().medium : 0, 1);
+    gradient.setColorAt(0, veiled(shown_.ui["view_top"], look));
+    gradient.setColorAt(1, veiled(shown_.ui["view_bottom"], look));
     p.fillRect(background_.rect(), gradient);
   }
   painter.drawPixmap(at, background_, background_.rect());
@@ -74,8 +77,10 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
     for (const Panel& other : job.panels)
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
+    if (scene_.have_card()) overlay.corner(medium_words(scene_.card().medium));
   }
-  marks_.paint(overlay, seen, job.leads);
+  // marks of a scene that is not drawn yet would lie in the void
+  if (drawn(job, index)) marks_.paint(overlay, seen, job.leads);
   if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
   painter.restore();
 }
@@ -86,7 +91,10 @@ void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Jo
   if (!words.clock.isEmpty()) overlay.clock(words.clock);
   if (!words.banner.isEmpty()) overlay.banner(words.banner);
   if (!words.task.isEmpty()) overlay.hint(words.task, 0, panel.size.width());
-  if (!words.message.isEmpty()) overlay.message(words.message);
+  if (!words.message.isEmpty())
+    overlay.message(words.message);
+  else if (scene_.have_card())
+    overlay.corner(medium_words(scene_.card().medium));
   if (station_mark_) paint_station_mark(painter, panel);
 }
 

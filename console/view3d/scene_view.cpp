@@ -102,6 +102,7 @@ void SceneView::set_themes(const UiTheme& ui, const CueTheme& cues) {
 
 void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   scene_.set_card(card);
+  painter_.forget_background();
   picture_ = {};
   panels_.clear();
   ghost_.forget();

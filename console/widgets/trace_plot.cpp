@@ -5,11 +5,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace swage::console {
 namespace {
 
 constexpr double kTraceLeft_px = 30, kTraceTop_px = 20, kTraceBottom_px = 16;  // room for numbers, title and times
+// Longest time between two samples over which a line goes on: pictures come later than this only where the window stood still.
+constexpr double kLongest_s = 2;
 
 }  // namespace
 
@@ -72,9 +75,30 @@ std::vector<TracePlot::Column> TracePlot::columns(const std::deque<Sample>& samp
   if (n <= 0 || !(to > from)) return out;
   for (const Sample& s : samples) {
     const double place = (s.t - from) / (to - from) * n;
-    if (!std::isfinite(s.v) || place < 0 || place >= n) continue;
+    if (place < 0 || place >= n) continue;
     Column& c = out[static_cast<size_t>(place)];
-    c = c.low > c.high ? Column{s.v, s.v} : Column{std::min(c.low, s.v), std::max(c.high, s.v)};
+    if (!std::isfinite(s.v)) {
+      c.silent = true;
+      continue;
+    }
+    std::tie(c.low, c.high) = c.empty() ? std::pair{s.v, s.v} : std::pair{std::min(c.low, s.v), std::max(c.high, s.v)};
+  }
+  return out;
+}
+
+std::vector<std::pair<size_t, size_t>> TracePlot::lines(const std::vector<Column>& columns, size_t longest) {
+  std::vector<std::pair<size_t, size_t>> out;
+  bool ends = true;
+  for (size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].empty()) {
+      ends |= columns[i].silent;
+      continue;
+    }
+    if (!out.empty() && !ends && i - out.back().second <= longest)
+      out.back().second = i;
+    else
+      out.emplace_back(i, i);
+    ends = false;
   }
   return out;
 }
@@ -122,26 +146,19 @@ void TracePlot::paint_samples(QPainter& p, const QRectF& area) const {
   p.setRenderHint(QPainter::Antialiasing);
   const double to = std::max(samples_.back().t, kWindow_s), from = to - kWindow_s;
   const std::vector<Column> cols = columns(samples_, from, to, static_cast<int>(area.width()));
-  QPolygonF line;
-  const auto flush = [&] {
+  const auto longest = static_cast<size_t>(kLongest_s / kWindow_s * static_cast<double>(cols.size()));
+  for (const auto& [first, last] : lines(cols, longest)) {
+    QPolygonF line;
+    for (size_t i = first; i <= last; ++i) {
+      if (cols[i].empty()) continue;
+      const double x = area.left() + static_cast<double>(i) + 0.5;
+      line << QPointF(x, y_of(cols[i].low, area));
+      if (cols[i].high > cols[i].low) line << QPointF(x, y_of(cols[i].high, area));
+      if (cols[i].high > high_) p.fillRect(QRectF(x - 1, area.top() - 3, 2, 3), theme_["bad"]);
+    }
     p.setPen(QPen(theme_[colour_role_], 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (line.size() > 1) p.drawPolyline(line);
-    line.clear();
-  };
-  int empty = 0;
-  for (size_t i = 0; i < cols.size(); ++i) {
-    // a short gap lies between two pictures, a long one is a gap in the signal
-    if (cols[i].low > cols[i].high) {
-      if (++empty > 12) flush();
-      continue;
-    }
-    empty = 0;
-    const double x = area.left() + static_cast<double>(i) + 0.5;
-    line << QPointF(x, y_of(cols[i].low, area));
-    if (cols[i].high > cols[i].low) line << QPointF(x, y_of(cols[i].high, area));
-    if (cols[i].high > high_) p.fillRect(QRectF(x - 1, area.top() - 3, 2, 3), theme_["bad"]);
   }
-  flush();
 }
 
 }  // namespace swage::console

@@ -25,11 +25,16 @@ class TracePlot : public QWidget {
   struct Sample {
     double t, v;
   };
-  /// Lowest and highest value of each column; columns without a sample have low > high.
+  /// Lowest and highest value of each column; columns without a value have low > high.
   struct Column {
     double low, high;
+    bool silent = false;  // a sample without a value lies in it
+    bool empty() const { return low > high; }
   };
   static std::vector<Column> columns(const std::deque<Sample>& samples, double from, double to, int n);
+  /// First and last column of each line. A line goes on over columns without a sample, as between two pictures of a slow machine, and ends
+  /// where the signal has no value, or after `longest` such columns.
+  static std::vector<std::pair<size_t, size_t>> lines(const std::vector<Column>& columns, size_t longest);
   static constexpr double kWindow_s = 10;
 
   /// Low, as it grows by itself: a column that scrolls asks for this height, not for the least.

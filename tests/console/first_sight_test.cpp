@@ -352,15 +352,16 @@ TEST(Now, TellsTheTensionOfTheThreadBesideItsLimit) {
     now.show_reading(r, time_s);
     return told->text().replace(QChar(0x202f), ' ');
   };
-  EXPECT_EQ(text_at(1, 2e-3), "2.00 mN of 5.00 mN");
-  EXPECT_EQ(text_at(1.1, 7e-3), "2.00 mN of 5.00 mN") << "not yet";
-  EXPECT_EQ(text_at(1.3, 1e-3), "▲ 7.00 mN, over 5.00 mN") << "a jerk is not missed";
-  EXPECT_EQ(text_at(0.1, 3e-3), "3.00 mN of 5.00 mN") << "another attempt";
+  EXPECT_EQ(text_at(1, 2e-3), "2.0 mN of 5.0 mN");
+  EXPECT_EQ(text_at(1.1, 7e-3), "2.0 mN of 5.0 mN") << "not yet";
+  EXPECT_EQ(text_at(1.3, 1e-3), "▲ 7.0 mN, over 5.0 mN") << "a jerk is not missed";
+  EXPECT_EQ(text_at(0.1, 3e-3), "3.0 mN of 5.0 mN") << "another attempt";
   now.set_readings_hidden(true);
   EXPECT_FALSE(told->isVisibleTo(&now)) << "a test";
   asked.max_tension_N = 0;
   now.set_scene(console::Reader(card), {0.3, 0.7}, "Draw it.", asked);
-  EXPECT_EQ(text_at(2, 2e-3), "2.00 mN");
+  EXPECT_EQ(text_at(2, 2e-3), "2.0 mN");
+  EXPECT_EQ(text_at(3, 0), "0.0 mN") << "one unit whatever the value is";
 }
 
 // All texts of a legend have one size: smaller if one of them does not fit its line.

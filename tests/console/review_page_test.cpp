@@ -52,6 +52,29 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   EXPECT_TRUE(window->people_page()->isVisible());
 }
 
+TEST_F(ReviewPages, AValueBeyondItsLimitHasASignAndItsLimitIsToldByKeys) {
+  open_review();
+  auto* table = child<QTableWidget>("review_metrics");
+  const QString value = table->item(0, 1)->text();
+  ASSERT_EQ(review()->review().metrics[0].id, "grasp.tries");
+  review()->attempt().set_metric_finder([](const QString&, const std::string& metric) {
+    return console::MetricSaid{{}, metric == "grasp.tries" ? console::MetricTarget{{}, 0.5} : console::MetricTarget{}};
+  });
+  click("page_people");
+  QTest::keyClick(child<QTableView>("attempts"), Qt::Key_Return);
+  ASSERT_TRUE(review()->isVisible());
+  EXPECT_EQ(table->item(0, 1)->text(), "▲ " + value);
+  EXPECT_EQ(table->item(0, 1)->foreground().color(), console::UiTheme::stock("light")["warn"]);
+  EXPECT_TRUE(table->item(0, 1)->toolTip().startsWith("At most")) << table->item(0, 1)->toolTip().toStdString();
+  EXPECT_TRUE(table->item(0, 1)->data(Qt::AccessibleTextRole).toString().contains("beyond the limit"));
+  EXPECT_FALSE(table->item(1, 1)->text().startsWith("▲")) << "it has no limit";
+  table->setFocus();
+  table->setCurrentCell(1, 0);
+  EXPECT_EQ(child<QLabel>("review_asked")->text(), "");
+  QTest::keyClick(table, Qt::Key_Up);
+  EXPECT_TRUE(child<QLabel>("review_asked")->text().startsWith("At most 0.5")) << child<QLabel>("review_asked")->text().toStdString();
+}
+
 // The trainee's window shows what the page in front is about; an attempt that runs comes first.
 TEST_F(ReviewPages, F9ShowsTheTraineeWhatIsReviewed) {
   script.end_s = 0;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "console/models/group_figure.hpp"
+#include "console/models/metric_limits.hpp"
 #include "console/pages/comparison.hpp"
 #include "fake_recording.hpp"
 #include "fake_store.hpp"
@@ -47,6 +48,32 @@ TEST(WorstMoments, AMetricLeadsToThePeakOfItsSignal) {
   const auto within = p.worst([](const std::string&) { return MetricTarget{{}, 2.0}; });
   EXPECT_LT(within[0].weight, kOverLimit);
   EXPECT_TRUE(within[0].what.contains("within what is asked")) << within[0].what.toStdString();
+}
+
+TEST(MetricLimits, AValueIsMarkedOutsideWhatIsAskedAndNotOnIt) {
+  EXPECT_EQ(beyond(0.9, {{}, 0.9}), Beyond::kNo);
+  EXPECT_EQ(beyond(0.91, {{}, 0.9}), Beyond::kAbove);
+  EXPECT_EQ(beyond(0.1, {0.2, 0.9}), Beyond::kBelow);
+  EXPECT_EQ(beyond(1, {0.2, 0.9}), Beyond::kAbove);
+  EXPECT_EQ(beyond(0.1, {}), Beyond::kNo);
+  EXPECT_EQ(beyond(std::nan(""), {0.2, 0.9}), Beyond::kNo);
+  EXPECT_NE(beyond_sign(Beyond::kAbove), beyond_sign(Beyond::kBelow)) << "the direction is told without colour";
+  EXPECT_EQ(beyond_sign(Beyond::kNo), "");
+  EXPECT_EQ(limit_words({{}, 0.9}, "N"), QStringLiteral("At most 0.90\u202fN is asked"));
+  EXPECT_EQ(limit_words({0.2, 0.9}, "N"), QStringLiteral("From 0.20\u202fN to 0.90\u202fN is asked"));
+  EXPECT_EQ(limit_words({0.5, {}}, "N"), QStringLiteral("At least 0.50\u202fN is asked"));
+  EXPECT_EQ(limit_words({}, "N"), "");
+}
+
+TEST(MetricLimits, OfAnAttemptBelongToItsMeasurementsNotToItsDeductions) {
+  Peaked p;
+  p.attempt.metrics.push_back({"points.time", "1", 3});
+  Review review = make_review(p.attempt, p.recording, p.events);
+  review.metrics[2].points = true;
+  set_limits(review, [](const std::string& metric) { return metric == "odd.number" ? MetricTarget{} : MetricTarget{{}, 0.9}; });
+  EXPECT_EQ(beyond(review.metrics[0].number, review.metrics[0].target), Beyond::kAbove);
+  EXPECT_EQ(review.metrics[0].asked, QStringLiteral("At most 0.90\u202fN is asked"));
+  for (int i : {1, 2}) EXPECT_EQ(review.metrics[i].target, MetricTarget()) << review.metrics[i].id;
 }
 
 TEST(WorstMoments, ANumberThatNoSignalReachedLeadsNowhere) {
