@@ -124,6 +124,17 @@ TEST_P(DrawnLoop, IsNoPartOfTheFirstThrow) {
   EXPECT_EQ(first.strand[1].last, seen.strand[1].last);
 }
 
+/// Its third throw takes less than a piece of each strand, which turn by 0.4 and 0.8 rad: none is wound about the other one.
+TEST(ShortThrow, DoesNotSlide) {
+  const DrawnKnot knot = drawn_knot("a_leg_on_the_throw");
+  const KnotName name = read_all(knot.node);
+  ASSERT_EQ(name.word.throws, 3);
+  const KnotForm form(knot.node.front().data(), static_cast<int>(knot.node.size()), name.word.tied[2]);
+  EXPECT_LT(form.turned(0), 0.5 * form.turned(1));
+  EXPECT_LT(form.turned(1), 1.5);
+  EXPECT_EQ(form.core(), -1);
+}
+
 /// A loose throw touches nowhere, and its places are those of its crossings.
 TEST(LooseThrow, KeepsItsPlaces) {
   const auto tie = make_tie({2, -1, 1}, {}, 1);
