@@ -95,7 +95,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("knot.right_throws", "Right throws", SWAGE_SHOW_COUNT, 2),
     lessons::label("knot.undone", "Throws that came undone", SWAGE_SHOW_COUNT, 3),
     lessons::label("knot.wrong", "Wrong throws", SWAGE_SHOW_COUNT),
-    lessons::label("knot.slides", "Sliding throws", SWAGE_SHOW_COUNT),
+    lessons::label("knot.slides", "Sliding throws", SWAGE_SHOW_COUNT, 0, nullptr, "most_sliding"),
     lessons::label("knot.left_loop", "Loop of the knot", SWAGE_SHOW_QUANTITY, 0, nullptr, "most_loop"),
     lessons::label("knot.loosest", "Loosest throw", SWAGE_SHOW_QUANTITY, 0, nullptr, "most_throw"),
     lessons::label("wound.gap", "Gap of the wound", SWAGE_SHOW_QUANTITY, 4, nullptr, "most_gap"),
@@ -128,7 +128,7 @@ inline constexpr swage_metric_label kLabels[] = {
 };
 
 inline constexpr swage_criterion kCriteria[] = {
-    {"Tie the throws {word}, flat: turns of each with their sign, or all of them the mirror image.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Tie the throws {word}, flat, of which {most_sliding} may slide: turns of each with their sign, or all of them the mirror image.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Draw each throw down on the one before it: one strand takes {most_throw} of thread in it at most.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Draw them down until the loop has {most_loop} at most and the edges are within {most_gap}, and keep that for {hold_time}.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Then cut both ends so that {tail} of each are left at the knot, to within {tail_tolerance}; the knot must keep without the hands for {hold_time}.", "cut", SWAGE_CRITERION_PASS, 0},

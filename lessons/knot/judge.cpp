@@ -22,6 +22,13 @@ int Word::like(const Word& asked) const {
   return same;
 }
 
+bool Word::begins_throw_of(const Word& asked) const {
+  const int last = static_cast<int>(throws) - 1;
+  if (last < 0 || last >= std::min(kThrows, static_cast<int>(asked.throws)) || like(asked) != last) return false;
+  const double side = last > 0 && turns[0] * asked.turns[0] < 0 ? -1 : 1, left = last > 0 ? side * turns[last] / asked.turns[last] : std::abs(turns[0] / asked.turns[0]);
+  return left > 0 && left < 1;
+}
+
 Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   Finding finding;
   follow_hands(memory, look, finding);
@@ -105,7 +112,9 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   memory.undone += finding.undone;
   memory.throws = throws;
   memory.most_like = std::max(memory.most_like, static_cast<double>(like));
-  finding.wrong = look.tangled || like < throws;
+  // turns that slide off one by one tie a throw of two as one of one first
+  const bool slides_off = std::abs(look.turns) >= kWound && look.word.begins_throw_of(rules_.asked);
+  finding.wrong = look.tangled || (like < throws && !slides_off);
   memory.wrong += finding.wrong && memory.is_wrong == 0;
   memory.is_wrong = finding.wrong ? 1 : 0;
   // a wrong throw can be undone until all throws are there
@@ -114,7 +123,7 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   finding.tied = !look.tangled && look.word.is(rules_.asked);
   // the ends are cut off a knot that was flat while hands drew it: ends that are slack, or short and bent, tell no form
   const bool was_flat = rules_.cut && memory.flat != 0;
-  finding.sliding = throws > 0 && look.sliding > 0 && !was_flat;
+  finding.sliding = throws > 0 && look.sliding > rules_.most_sliding && !was_flat;
   finding.loose = finding.tied && look.loosest > rules_.most_throw;
   finding.together = look.gap <= rules_.most_gap;
   memory.least_gap = std::min(memory.least_gap, look.gap);

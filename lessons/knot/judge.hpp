@@ -22,6 +22,8 @@ struct Word {
 
   /// Number of throws, from the first on, that equal those required, or that all equal their mirror image.
   int like(const Word& asked) const;
+  /// Whether all throws are those required but the last one, which has fewer turns than required to the same side.
+  bool begins_throw_of(const Word& asked) const;
   bool is(const Word& asked) const { return throws == asked.throws && like(asked) == static_cast<int>(asked.throws); }
 };
 
@@ -31,6 +33,7 @@ struct Rules {
   double most_gap = 0.1e-3;                 // m, between the edges
   double most_loop = 7e-3;                  // m, length of thread between the two strands of the first throw
   double most_throw = 2e-3;                 // m, of thread that one strand may take in a throw. Drawn down 8-0 takes 1.2, and is read to two segments of 0.4; with 3 a throw may stand off by 2
+  int most_sliding = 0;                     // throws that may slide. 1 of the three of a surgeon's knot: such ones hold 0.1 N as those without do (knot.md)
   double tension = 20e-3;                   // N, limit
   double force_low = 0.05, force_high = 1;  // N
   double most_cut = 0.3e-3;                 // m, by which the thread may cut the tissue

@@ -139,6 +139,7 @@ void KnotLesson::activate(double dt_s) {
   rules.most_gap = p.most_gap;
   rules.most_loop = p.most_loop;
   rules.most_throw = p.most_throw;
+  rules.most_sliding = p.most_sliding;
   rules.cut = has_cut();
   rules.tail = p.tail;
   rules.tail_tolerance = p.tail_tolerance;

@@ -25,6 +25,7 @@ struct KnotLessonParams {
   double most_gap = Rules{}.most_gap;                        // m
   double most_loop = Rules{}.most_loop;                      // m
   double most_throw = Rules{}.most_throw;                    // m
+  int most_sliding = Rules{}.most_sliding;
   double tension = Rules{}.tension;                          // N
   double most_cut = Rules{}.most_cut;                        // m
   Interval force = {Rules{}.force_low, Rules{}.force_high};  // N
@@ -74,6 +75,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
       real<&P::most_gap>("most_gap", "Edges together", "m", "mm", 0, 5e-3, "Distance of the edges that counts as together."),
       real<&P::most_loop>("most_loop", "Drawn down", "m", "mm", 0.1e-3, 0.1, "Length of the loop around the tissue that counts as drawn down."),
       real<&P::most_throw>("most_throw", "Throw drawn down", "m", "mm", 0.1e-3, 0.1, "Thread that one strand takes in a throw, from the throw before it on, that counts as drawn down."),
+      integer<&P::most_sliding>("most_sliding", "Sliding throws", 0, 12, "So many throws may have a strand that runs straight through."),
       real<&P::tension>("tension", "Limit of the tension", "N", "mN", 0.1e-3, 10, "Above this the stitch is too tight: tissue blanches and is cut."),
       real<&P::most_cut>("most_cut", "Limit of the cut", "m", "mm", 1e-6, 10e-3, "The attempt fails when the thread has cut the tissue farther than this."),
       interval<&P::force>("force", "Force", "N", "N", 0, 100, "Grip force that holds the thread without crushing it."),

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "toolkit/knot/form.hpp"
+#include "toolkit/knot/touch.hpp"
 
 namespace swage::coupling_knot {
 
@@ -84,7 +85,7 @@ void Knot::look(const CouplingStep& step, const KnotState& state) {
   places_ = 0;
   const auto law = thread_.law(step.a());
   if (!law) return;
-  length_ = law->length;
+  length_ = law->length, radius_ = law->radius;
   const double knot = state.told.throws > 0 ? 0.5 * (state.from + state.to) / length_ * (params_.places - 1) : -1;
   int run = 0;
   bool found = false;
@@ -154,7 +155,8 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
   if (!(seen == state.seen)) state.seen = seen, state.seen_s = 0;
 }
 
-void Knot::take_places(const toolkit::KnotWord& word, KnotState& state) const {
+void Knot::take_places(toolkit::KnotWord word, KnotState& state) const {
+  word.tied[0] = toolkit::KnotTouch(state.p_W, places_, 2 * radius_).up_to_loop(word.tied[0]);
   const double place = length_ / (params_.places - 1);
   int outer = 0;
   while (outer + 1 < word.throws && word.tied[static_cast<size_t>(outer + 1)].knot == word.tied[0].knot) ++outer;

@@ -89,7 +89,7 @@ class Knot final : public Coupling<KnotParams> {
   void tell_passages(const CouplingStep& step, KnotState& state) const;
   void read(const CouplingStep& step, KnotState& state);
   void take(const toolkit::KnotName& said, KnotState& state) const;
-  void take_places(const toolkit::KnotWord& word, KnotState& state) const;
+  void take_places(toolkit::KnotWord word, KnotState& state) const;
   void tell(const CouplingStep& step, KnotState& state) const;
   void write(const CouplingStep& step, const KnotState& state) const;
 
@@ -101,7 +101,7 @@ class Knot final : public Coupling<KnotParams> {
   // valid within the present step
   int places_ = 0, first_ = 0;
   double p_W_[3 * toolkit::KnotPassages::kNodes];
-  double length_ = 0;
+  double length_ = 0, radius_ = 0;  // m
   toolkit::KnotPassages finder_;
   toolkit::KnotPassages::Found found_;
   toolkit::KnotReader reader_;

@@ -12,6 +12,7 @@
 #include "ties.hpp"
 #include "toolkit/knot/form.hpp"
 #include "toolkit/knot/reader.hpp"
+#include "toolkit/knot/touch.hpp"
 
 namespace swage::test {
 namespace {
@@ -100,6 +101,50 @@ TEST_P(Drawn, EachViewIsThatKnotByLibhomfly) {
   }
   EXPECT_GE(asked, 10);
   EXPECT_GE(unreduced, 2) << "else this knot tests nothing";
+}
+
+class DrawnLoop : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Knots, DrawnLoop, testing::Values("legs_in_the_last_strand", "a_leg_on_the_throw", "legs_crossed_in_the_air"));
+
+/// Tied around 4 to 5 mm of thread, in pieces of 0.4 mm, by a first throw of some 2 mm in each strand. The diagrams have the loop in the throw.
+TEST_P(DrawnLoop, IsNoPartOfTheFirstThrow) {
+  constexpr double kPiece = 0.401;  // mm
+  const DrawnKnot knot = drawn_knot(GetParam());
+  const KnotName name = read_all(knot.node);
+  ASSERT_TRUE(name.certain);
+  ASSERT_EQ(word_read(name.word), knot.word);
+  const KnotThrow& seen = name.word.tied[0];
+  const KnotThrow first = KnotTouch(knot.node.front().data(), static_cast<int>(knot.node.size()), 44.5e-6).up_to_loop(seen);
+  EXPECT_LT(kPiece * (seen.strand[1].first - seen.strand[0].last), 2) << "else this knot tests nothing";
+  EXPECT_GT(kPiece * (first.strand[1].first - first.strand[0].last), 4);
+  EXPECT_LT(kPiece * (first.strand[1].first - first.strand[0].last), 6);
+  EXPECT_LT(kPiece * (first.strand[0].last - first.strand[0].first), 3.5);
+  EXPECT_LT(kPiece * (first.strand[1].last - first.strand[1].first), 3.5);
+  EXPECT_EQ(first.strand[0].first, seen.strand[0].first);
+  EXPECT_EQ(first.strand[1].last, seen.strand[1].last);
+}
+
+/// Its third throw takes less than a piece of each strand, which turn by 0.4 and 0.8 rad: none is wound about the other one.
+TEST(ShortThrow, DoesNotSlide) {
+  const DrawnKnot knot = drawn_knot("a_leg_on_the_throw");
+  const KnotName name = read_all(knot.node);
+  ASSERT_EQ(name.word.throws, 3);
+  const KnotForm form(knot.node.front().data(), static_cast<int>(knot.node.size()), name.word.tied[2]);
+  EXPECT_LT(form.turned(0), 0.5 * form.turned(1));
+  EXPECT_LT(form.turned(1), 1.5);
+  EXPECT_EQ(form.core(), -1);
+}
+
+/// A loose throw touches nowhere, and its places are those of its crossings.
+TEST(LooseThrow, KeepsItsPlaces) {
+  const auto tie = make_tie({2, -1, 1}, {}, 1);
+  const KnotName name = read_all(tie->node);
+  ASSERT_EQ(name.word.throws, 3);
+  const KnotTouch touch(tie->data(), tie->nodes(), 1e-3);
+  const KnotThrow &seen = name.word.tied[0], kept = touch.up_to_loop(seen);
+  EXPECT_LT(touch.touch(), 2) << "distance of its strands";
+  EXPECT_EQ(kept.strand[0].last, seen.strand[0].last);
+  EXPECT_EQ(kept.strand[1].first, seen.strand[1].first);
 }
 
 /// 5_2 has the determinant of a throw of three turns, 7, and another signature, 2 for 6: that proves it to be no throws.

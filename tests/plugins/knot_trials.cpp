@@ -10,12 +10,14 @@
 //   --log    a line each so many simulated seconds: tips, turns, the knot that is foretold and the one that is tied, tensions, gap
 //   --plans  a folder with holder.json and winder.json, in the place of the hand's plans
 //   --pull   what is tied at the end is cut free and pulled to 0.1 N with that friction of the thread on itself (pulled_knot.hpp); again for more
-//   --nodes  the places of the thread at the end of the last attempt, "x y z" a line [m]: what a reader of knots can be tried with
+//   --nodes  the places of the thread at the end of the last attempt, "x y z" a line [m]: what a reader of knots can be tried with.
+//            With --log also at each of its lines, to FILE and "." and the time in seconds
 //   --shape  a picture (SVG, three views) of thread and instruments at the times that follow
 //
 // The knot that is foretold is the one of the thread whose ends are led away along the shafts of the instruments that hold them: the throw
 // that is tied once the turns have slid off the tips. It is known before anything is drawn down.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -238,7 +240,11 @@ bool try_it(const Options& o, uint64_t seed) {
   while (run.outcome() == "running" && run.world().time() < o.max_s && !run.engine().hand_gone()) {
     run.step();
     pull = std::max(pull, run.signal("suture", "thread.tension"));
-    if (o.log_s > 0 && run.world().time() >= next_log) log(run), next_log += o.log_s;
+    if (o.log_s > 0 && run.world().time() >= next_log) {
+      log(run);
+      if (!o.nodes.empty()) write_nodes(run, o.nodes + "." + std::to_string(std::lround(run.world().time())));
+      next_log += o.log_s;
+    }
     if (picture < o.times.size() && run.world().time() >= o.times[picture])
       draw(run, o.shape + std::to_string(picture) + ".svg"), ++picture;
   }

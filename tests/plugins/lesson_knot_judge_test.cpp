@@ -98,6 +98,38 @@ TEST(KnotJudge, WhatIsLooseOpenOrSlidesIsNotKept) {
   EXPECT_LT(held([](Look& now) { now.grip[1] = 2; }), 0.2);
 }
 
+// turns slide off one by one: with another one still on the instrument a double throw is tied as a single one for a while
+TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
+  Rules rules;
+  rules.asked = word({2, -1, 1});
+  for (const double side : {1.0, -1.0}) {
+    Attempt a(rules);
+    a.now.word = word({side}), a.now.turns = -1.5;
+    EXPECT_FALSE(a.go(300).wrong);
+    EXPECT_EQ(a.memory.wrong, 0);
+    a.now.turns = -0.1;
+    EXPECT_TRUE(a.go(10).wrong) << "a single throw is all there is";
+    EXPECT_EQ(a.memory.wrong, 1);
+  }
+  for (const auto& [tied, wrong] : {std::pair{word({2, 1}), true}, {word({-2, 1}), false}, {word({3}), true}, {word({1, -1}), true}}) {
+    Attempt a(rules);
+    a.now.word = tied, a.now.turns = -1.5;
+    EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
+  }
+}
+
+// of the throws of a surgeon's knot one may slide
+TEST(KnotJudge, AKnotMayHaveAsManySlidingThrowsAsItsLessonAllows) {
+  Rules rules;
+  rules.asked = word({2, -1, 1}), rules.most_sliding = 1;
+  for (const double sliding : {0.0, 1.0, 2.0}) {
+    Attempt a(rules);
+    a.tie(word({2, -1, 1}));
+    a.now.sliding = sliding;
+    EXPECT_EQ(a.go(1200).end, sliding < 2 ? End::kPassed : End::kRunning) << sliding;
+  }
+}
+
 // before its last draw a square knot has both throws, closed edges and a short loop, with the second throw open or off the first one
 TEST(KnotJudge, AKnotWithALooseThrowIsNotKept) {
   Rules rules;

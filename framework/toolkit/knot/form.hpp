@@ -20,7 +20,8 @@ class KnotForm {
   static constexpr double kCoreShare = 0.5;
   /// rad. A strand that turns by more does not run straight through, however often the other one goes about it: cores of random ties turn by up to
   /// 4.4 with the bends on both sides of their throws (tests/knots), strands of a tight throw in which the other one has a loop by 5.2 and more.
-  /// Smaller: throws that slide are told as flat. Greater: such tight throws are told as sliding.
+  /// Smaller: throws that slide are told as flat. Greater: such tight throws are told as sliding. The other strand has to turn by more: wound about
+  /// a core it turns by 1.5 turns and more. In throws of a few nodes that are drawn down both may turn by less than a rad, which tells nothing.
   static constexpr double kStraight = 1.5 * std::numbers::pi;
 
   /// Measures a throw in a polyline of n nodes.
@@ -34,10 +35,10 @@ class KnotForm {
   }
   /// Angle by which a strand turns beside the other [rad].
   double turned(int strand) const { return turned_[strand]; }
-  /// The strand (0 or 1) that runs straight through; -1: the throw is flat.
+  /// The strand (0 or 1) that runs straight through, with the other one wound about it; -1: the throw is flat.
   int core() const {
     for (int k = 0; k < 2; ++k)
-      if (turned_[k] < kStraight && turned_[k] < kCoreShare * turned_[1 - k]) return k;
+      if (turned_[k] < kStraight && turned_[1 - k] > kStraight && turned_[k] < kCoreShare * turned_[1 - k]) return k;
     return -1;
   }
 
