@@ -172,6 +172,7 @@ class Coupling final : public FuzzHarness {
     };
     if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3))
       report_fault(say::kTiePlace());
+    if (!host::finite(&t.f_a_W.x, 3)) report_fault(say::kTieForce());
     if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) report_fault(say::kTieBody());
     for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.forward_limit, t.backward_limit})
       if (!(x >= 0)) report_fault(say::kTieStiffness(format("%g", x)));

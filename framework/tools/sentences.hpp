@@ -225,6 +225,7 @@ inline constexpr auto kContact = "left a contact with friction {}, stiffness {} 
 inline constexpr auto kSignalNotFinite = "wrote a signal that is not finite"_sentence;
 inline constexpr auto kTooMany = "gave {} {} where there is room for {}"_sentence;  // ties
 inline constexpr auto kTiePlace = "gave a tie with a place or axis that is none"_sentence;
+inline constexpr auto kTieForce = "gave a tie with a force of the step before that is not finite"_sentence;
 inline constexpr auto kTieBody = "gave a tie to a body that is not there"_sentence;
 inline constexpr auto kTieStiffness = "gave a tie with a stiffness or strength of {}"_sentence;
 inline constexpr auto kMainThread = "called the host {} times from the step with what belongs on the main thread"_sentence;

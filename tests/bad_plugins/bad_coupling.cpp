@@ -9,7 +9,7 @@
 
 namespace bad_coupling {
 
-enum class Fault { kNegative, kPoisoned, kSleeps, kTakes, kTies, kTiePlace, kTieBody, kTieStrength, kVisuals, kVisualKind, kVisualBody, kVisualNumber,
+enum class Fault { kNegative, kPoisoned, kSleeps, kTakes, kTies, kTiePlace, kTieBody, kTieStrength, kTieForce, kVisuals, kVisualKind, kVisualBody, kVisualNumber,
                    kVisualTone, kVisualNormal, kVisualSize, kVisualStrength, kVisualMeddles, kVisualOther };
 constexpr Fault kFault = Fault::FAULT;
 // a fault that the step itself punishes begins after the first steps of a scene
@@ -43,12 +43,13 @@ class Bad final : public swage::Coupling<>, public swage::Ties {
   }
 
   uint32_t ties(const swage::CouplingStep& step, std::span<swage_tie> out) override {
-    if (!is(Fault::kTies, Fault::kTieStrength)) return 0;
+    if (!is(Fault::kTies, Fault::kTieForce)) return 0;
     if (kFault == Fault::kTies) return static_cast<uint32_t>(out.size()) + 1;
     out[0] = {};
     out[0].axis_W = {0, 0, kFault == Fault::kTiePlace ? 2.0 : 1.0};
     out[0].body_a = kFault == Fault::kTieBody ? step.a()->n_body : 0;
     out[0].strength = kFault == Fault::kTieStrength ? -1 : 1;
+    if (kFault == Fault::kTieForce) out[0].f_a_W.y = std::nan("");
     return 1;
   }
   void on_solved(const swage::CouplingStep&, std::span<const swage_tie>) override {}

@@ -31,6 +31,7 @@ const std::vector<evil::Fault> kCouplingFaults = {
     {"table_gaps", "Has a table of a coupling without finish."},
     {"needs_endless", "Needs traits that are no names."},
     {"tie_nan", "Has a tie at a place that is no number."},
+    {"tie_force_nan", "Has a tie whose force of the step before is no number."},
     {"tie_unknown_body", "Has a tie to a body that is not there."},
     {"ties_many", "Says that it has four billion ties."},
     {"body_declared", "Declares a body."},
@@ -241,12 +242,13 @@ swage_result coupling_ties(swage_instance* raw, const swage_coupling_step* s, ui
   *n = 0;
   if (s->step < kGood || capacity == 0) return SWAGE_OK;
   if (is(raw, "ties_many")) *n = 4'000'000'000u;
-  if (!is(raw, "tie_nan") && !is(raw, "tie_unknown_body")) return SWAGE_OK;
+  if (!is(raw, "tie_nan") && !is(raw, "tie_force_nan") && !is(raw, "tie_unknown_body")) return SWAGE_OK;
   out[0] = {};
   out[0].axis_W = {0, 0, 1};
   out[0].stiffness_across = out[0].stiffness_along = 1;
   out[0].strength = out[0].forward_limit = out[0].backward_limit = 1;
   if (is(raw, "tie_nan")) out[0].p_W.x = kNan;
+  if (is(raw, "tie_force_nan")) out[0].f_a_W.x = kNan;
   if (is(raw, "tie_unknown_body")) out[0].body_a = 4711;
   *n = 1;
   return SWAGE_OK;

@@ -70,6 +70,7 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   expect("coupling_tieplace", say::kTiePlace());
   expect("coupling_tiebody", say::kTieBody());
   expect("coupling_tiestrength", say::kTieStiffness(-1));
+  expect("coupling_tieforce", say::kTieForce());
   expect("coupling_visuals", say::kManyVisuals(1, 0));
   expect("coupling_visualkind", say::kOfVisual(0, "unknown", say::kVisualKind(99)));
   expect("coupling_visualbody", say::kVisualBody.words(0));

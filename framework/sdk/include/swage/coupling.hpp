@@ -56,7 +56,7 @@ class CouplingStep {
 class Ties {
  public:
   virtual ~Ties() = default;
-  /// After resolve(): writes at most out.size() ties, returns how many. [rt]
+  /// After resolve(): writes at most out.size() ties, returns how many; f_a_W of each: its force in the step before, or 0. [rt]
   virtual uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) SWAGE_RT = 0;
   /// Before finish(): the same ties with their forces and plastic slips. [rt]
   virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
