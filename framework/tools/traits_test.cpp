@@ -40,6 +40,7 @@ class Traits {
     if (wrong.empty()) wrong = piercing();
     if (wrong.empty()) wrong = pierceable();
     if (wrong.empty()) wrong = strand();
+    if (wrong.empty()) wrong = strand_nodes();
     if (wrong.empty()) wrong = blades();
     if (wrong.empty()) wrong = cuttable();
     return wrong;
@@ -194,6 +195,17 @@ class Traits {
       }
     }
     return "";
+  }
+
+  std::string strand_nodes() {
+    const auto* t = table<swage_strand_nodes>(SWAGE_TRAIT_STRAND_NODES);
+    if (t == nullptr) return "";
+    if (t->count == nullptr) return say::kGaps(SWAGE_TRAIT_STRAND_NODES);
+    if (slot_.instance->extension(SWAGE_TRAIT_STRAND) == nullptr) return say::kNoStrand(SWAGE_TRAIT_STRAND);
+    uint32_t nodes = 0;
+    std::string wrong = twice("count", nodes, [&](auto* out) { return t->count(slot_.instance->raw, &view(), out); });
+    if (wrong.empty() && nodes < 2) return told("count", say::kFewNodes());
+    return wrong;
   }
 
   std::string blades() {

@@ -132,7 +132,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"insert.progress", "1", "Greatest share of the needle that was inside, of what is asked.", "max of s / drive", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"thread.tension", "N", "Greatest tension of the thread at the swage; told, as all of the thread, where the lesson names one.", "max", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     {"thread.swage_grasps", "1", "How often the needle was grasped at the swage, which damages the suture.", "count of: held nearer to the blunt end than swage_zone", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
-    {"thread.pull", "N*s", "Pull of the thread on the tissue, summed over time.", "integral of the length of f", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"thread.pull", "N*s", "Pull of the thread where it comes out of the tissue, summed over time.", "integral of max(0, T)", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"thread.tail", "m", "Thread left before the entry; told once the thread is in the tissue.", "length", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
     {"thread.cut", "m", "How far the thread cut its holes through the tissue.", "max over the holes", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     {"thread.sawn", "m", "Thread drawn back against its way through the tissue.", "sum", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},

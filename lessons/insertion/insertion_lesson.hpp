@@ -189,7 +189,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
 
   /// Signals and events of the couplings that tie the thread to the needle and draw it through the tissue.
   struct Suture {
-    Signal tension, state, tail, cut, back, force, loop, loop_least, loop_most;
+    Signal tension, state, tail, cut, back, pull, loop, loop_least, loop_most;
     Signal entry, exit;  // where stitches are cut off: thread from the needle to the last entry and to the last exit
     Event pulled_off, through, parted;
   };

@@ -39,7 +39,7 @@ void InsertionLesson::find_suture(const Scene& scene, Binder& binder) {
   suture_.tail = scene.find_signal(pull, "pull.tail");
   suture_.cut = scene.find_signal(pull, "pull.cut");
   suture_.back = scene.find_signal(pull, "pull.back");
-  suture_.force = scene.find_signal(pull, "pull.force");
+  suture_.pull = scene.find_signal(has_far() ? pulls.back() : pull, "pull.tension_out");
   suture_.loop = scene.find_signal(pull, "pull.loop");
   suture_.loop_least = scene.find_signal(pull, "pull.loop_least");
   suture_.loop_most = scene.find_signal(pull, "pull.loop_most");
@@ -69,7 +69,7 @@ void InsertionLesson::read_suture(const View& scene, Look& look) const {
   look.suture.tail = number(suture_.tail);
   look.suture.cut = number(suture_.cut);
   look.suture.back = number(suture_.back);
-  look.suture.force = number(suture_.force);
+  look.suture.pull = std::max(0.0, number(suture_.pull));
   look.suture.loop = number(suture_.loop);
   look.suture.loop_least = number(suture_.loop_least);
   look.suture.loop_most = number(suture_.loop_most);

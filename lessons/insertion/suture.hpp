@@ -27,7 +27,8 @@ struct SutureRules {
 struct SutureLook {
   double tension = 0;                           // N, at the swage
   bool pulled_off = false, through = false;     // events: the thread came out of the needle; all of it went through the tissue
-  double state = 0, tail = 0, cut = 0, back = 0, force = 0;  // pull.*: 1, m, m, m, N
+  double state = 0, tail = 0, cut = 0, back = 0;             // pull.*: 1, m, m, m
+  double pull = 0;                                           // N, of the thread where it comes out of the tissue, at least 0
   double loop = 0, loop_least = 0, loop_most = 0;            // pull.*: m
   // where stitches are cut off, m along the thread from the needle: its length, the last entry and the last exit
   double length = 0, entry = 0, exit = 0;
@@ -58,7 +59,7 @@ struct SutureWatch {
     s.grasped = at_swage ? 1 : 0;
     if (begins) s.grasps += 1;
     s.peak = std::max(s.peak, look.tension);
-    s.pull_s += look.force * dt;
+    s.pull_s += look.pull * dt;
     s.cut = look.cut, s.back = look.back;
     if (look.pulled_off) s.off = 1;
     if (look.state > 0) s.drawn = 1, s.tail = look.tail;

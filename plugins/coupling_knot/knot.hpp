@@ -11,6 +11,8 @@
 
 namespace swage::coupling_knot {
 
+inline constexpr int kMostPlaces = 401;  // of the thread that are looked at
+
 struct KnotParams {
   int places = 201;
   double period = 16e-3;  // s
@@ -65,9 +67,9 @@ class Knot final : public Coupling<KnotParams> {
   static constexpr bool detects = false;
 
   static constexpr std::array fields = {
-      integer<&KnotParams::places>("places", "Places", 16, 401,
-                                   "Of the thread that are looked at, ends included. One more than its segments, or than a multiple of "
-                                   "them, sees it exactly as it is."),
+      integer<&KnotParams::places>("places", "Places", 16, kMostPlaces,
+                                   "Of the thread that are looked at, ends included; as many as it has nodes where these are more. One more "
+                                   "than its segments, or than a multiple of them, sees it exactly as it is."),
       real<&KnotParams::period>("period", "Period", "s", "ms", 1e-3, 1, "From one reading to the next."),
       real<&KnotParams::settle>("settle", "Settling time", "s", "ms", 0, 1,
                                 "A knot is told when it has been read so long without a change."),

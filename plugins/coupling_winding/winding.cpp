@@ -19,7 +19,6 @@ constexpr double kMissing = 0.25;
 
 void Winding::build(const WindingParams& params, CouplingBuilder& builder) {
   params_ = params;
-  last_ = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
   builder.state<WindingState>();
   turns_ = builder.signal("winding.turns", "1",
                           "Turns of the thread about the instrument, right-handed about the way from hinge to tips; half a turn at most "
@@ -40,7 +39,12 @@ void Winding::bind(const Peer& a, const Peer& b) {
   if (!thread_.valid()) refuse("the thread has no table of " SWAGE_TRAIT_STRAND);
 }
 
-void Winding::reset(const CouplingStep& step) { step.state<WindingState>() = {}; }
+/// A finer thread is looked at as often as it has nodes: between fewer places its narrow turns are cut off, and go through the jaws.
+void Winding::reset(const CouplingStep& step) {
+  step.state<WindingState>() = {};
+  params_.places = std::max(params_.places, std::min(kPlaces, static_cast<int>(thread_.nodes(step.b()))));
+  last_ = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
+}
 
 /// Computes the places of the thread in the frame of the jaws.
 bool Winding::look(const CouplingStep& step, const Jaws& jaws) {

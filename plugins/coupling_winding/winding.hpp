@@ -50,8 +50,8 @@ class Winding final : public Coupling<WindingParams> {
 
   static constexpr std::array fields = {
       integer<&WindingParams::places>("places", "Places", 16, kPlaces,
-                                      "Of the thread that are looked at, ends included. One more than its segments, or than a multiple of "
-                                      "them, sees it exactly as it is."),
+                                      "Of the thread that are looked at, ends included; as many as it has nodes where these are more. One more "
+                                      "than its segments, or than a multiple of them, sees it exactly as it is."),
       real<&WindingParams::reach>("reach", "Reach", "m", "mm", 0.1e-3, 0.1, "Length of the instrument that counts, from its tips back."),
       real<&WindingParams::to>("to", "To", "1", "1", 0.05, 1,
                                "Share of the thread, from its first end, whose turns count: beyond is the tail behind the hand that holds it."),

@@ -37,6 +37,7 @@ void Thread::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out
 
 const void* Thread::extension(std::string_view wanted) {
   if (wanted == SWAGE_TRAIT_CUTTABLE) return cuttable_table<Thread>();
+  if (wanted == SWAGE_TRAIT_STRAND_NODES) return strand_nodes_table<Thread>();
   return wanted == SWAGE_TRAIT_STRAND ? strand_table<Thread>() : nullptr;
 }
 

@@ -39,6 +39,8 @@ TEST(RunningSuture, TheExpertSewsThreeEqualBitesWithOneThread) {
   EXPECT_LT(expert.metric("thread.loop_most") - expert.metric("thread.loop_least"), 0.8e-3) << "m";
   EXPECT_LT(expert.metric("thread.tension"), 10e-3) << "N; the swage bears 0.14";
   EXPECT_LT(expert.metric("thread.cut"), 0.2e-3) << "m";
+  // with 96 and 192 segments 0.0353 and 0.0355; what loops that lie on keep of it is theirs, not the hand's
+  EXPECT_NEAR(expert.metric("thread.pull"), 0.0352, 0.0005) << "N s";
   EXPECT_EQ(base::text(expert.engine().stats().health), "");
 }
 

@@ -24,6 +24,14 @@ class Strand {
   virtual void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) SWAGE_RT = 0;
 };
 
+/// A strand of straight pieces.
+class StrandNodes {
+ public:
+  virtual ~StrandNodes() = default;
+  /// Number of nodes, ends included, constant while active. [rt]
+  virtual uint32_t strand_nodes(const Step& step) SWAGE_RT = 0;
+};
+
 /// The table of an object of class T that inherits Strand.
 template <class T>
 const swage_strand* strand_table() {
@@ -44,11 +52,21 @@ const swage_strand* strand_table() {
   return &table;
 }
 
+/// The table of an object of class T that inherits StrandNodes.
+template <class T>
+const swage_strand_nodes* strand_nodes_table() {
+  static constexpr detail::Entry kCount{"count", 42, detail::kRt, detail::When::kActive};
+  static constexpr swage_strand_nodes table{[](swage_instance* i, const swage_object_step* s, uint32_t* out) noexcept {
+    return detail::guarded<T>(i, kCount, [&](auto&, detail::Holder<T>& h) { *out = h.plugin->strand_nodes(Step(s)); });
+  }};
+  return &table;
+}
+
 /// A thread of another plugin. Cheap to copy; keep it from bind() on.
 class StrandPeer {
  public:
   StrandPeer() = default;
-  explicit StrandPeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_strand>(SWAGE_TRAIT_STRAND)) {}
+  explicit StrandPeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_strand>(SWAGE_TRAIT_STRAND)), nodes_(peer.trait<swage_strand_nodes>(SWAGE_TRAIT_STRAND_NODES)) {}
 
   bool valid() const { return table_ != nullptr; }
   std::optional<swage_strand_law> law(const Step& step) const SWAGE_RT {
@@ -66,10 +84,16 @@ class StrandPeer {
     if (table_ == nullptr || table_->nearest(raw_, step.raw(), p_W, &place) != SWAGE_OK) return std::nullopt;
     return place;
   }
+  /// Number of its nodes; 0 where it does not tell.
+  uint32_t nodes(const Step& step) const SWAGE_RT {
+    uint32_t nodes = 0;
+    return nodes_ != nullptr && nodes_->count(raw_, step.raw(), &nodes) == SWAGE_OK ? nodes : 0;
+  }
 
  private:
   swage_instance* raw_ = nullptr;
   const swage_strand* table_ = nullptr;
+  const swage_strand_nodes* nodes_ = nullptr;
 };
 
 }  // namespace swage

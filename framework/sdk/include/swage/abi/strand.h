@@ -31,8 +31,17 @@ typedef struct swage_strand {
   swage_result (*nearest)(swage_instance*, const swage_object_step*, swage_vec3 p_W, swage_strand_place* out);  /* [rt] */
 } swage_strand;
 
+/* How fine a strand is: between its nodes it is straight. Offered beside SWAGE_TRAIT_STRAND, so that whoever looks at single places
+ * of it takes enough of them. */
+#define SWAGE_TRAIT_STRAND_NODES "swage.trait.strand_nodes/1"
+typedef struct swage_strand_nodes {
+  /* [rt] writes the number of nodes, ends included, constant while active */
+  swage_result (*count)(swage_instance*, const swage_object_step*, uint32_t* out);
+} swage_strand_nodes;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_strand_law) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_strand_place) == 96, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_strand) == 24, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_strand_nodes) == 8, "frozen layout");
 
 #endif
