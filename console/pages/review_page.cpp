@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QInputDialog>
-#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include "console/pages/attempt_chooser.hpp"
@@ -107,14 +106,6 @@ void ReviewPage::add_keys() {
 
 // No focus proxy: with one, Tab would stop at the page, go to the timeline next and skip all widgets between.
 void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
-
-// the views go below play and speed where one row would make the tables too narrow, as on a small screen or in German
-void ReviewPage::resizeEvent(QResizeEvent* event) {
-  constexpr double kShare = 0.68;  // of the page's width; with more the names of metrics are cut off, with less the picture is too low
-  const QMargins margins = layout()->contentsMargins();
-  transport_->fit(kShare * (width() - margins.left() - margins.right() - 12));
-  QWidget::resizeEvent(event);
-}
 
 // the timeline refers to the attempt
 ReviewPage::~ReviewPage() { timeline_->set_review(nullptr, nullptr); }

@@ -64,7 +64,6 @@ class ReviewPage : public QWidget {
   void end_comparison() { pictures_->end_comparison(); }
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
 
  Q_SIGNALS:

@@ -108,8 +108,10 @@ void MetricsTable::fill(const Review& review, const Review* other) {
   clearSpans();
   setRowCount(0);
   setColumnHidden(kOtherColumn, !other);
-  for (const MetricLine& m : review.metrics)
-    if (!m.points) add(m, other);
+  // what is beyond its limit comes first: on a small screen the table shows six lines
+  for (const bool marked : {true, false})
+    for (const MetricLine& m : review.metrics)
+      if (!m.points && (beyond(m.number, m.target) != Beyond::kNo) == marked) add(m, other);
   bool headed = false;
   for (const MetricLine& m : review.metrics) {
     if (!m.points) continue;

@@ -88,9 +88,11 @@ QWidget* ReviewTransport::make_views() {
   return box;
 }
 
-void ReviewTransport::fit(double room_px) {
+// The views go below play and speed where one row does not fit: the width is that of the picture, whatever stands beside it.
+void ReviewTransport::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
   const int one_row = rows_->itemAt(0)->sizeHint().width() + rows_->spacing() + rows_->itemAt(1)->sizeHint().width();
-  rows_->setDirection(one_row > room_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  rows_->setDirection(one_row > width() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void ReviewTransport::set_length(double length_s) {

@@ -17,8 +17,6 @@ class ReviewTransport : public QWidget {
   Q_OBJECT
  public:
   explicit ReviewTransport(QWidget* parent);
-  /// Puts the views below play and speed where one row would be wider than `room_px`.
-  void fit(double room_px);
   void set_length(double length_s);
   void set_time(double time_s);
   void set_playing(bool playing);
@@ -32,6 +30,9 @@ class ReviewTransport : public QWidget {
   void speed_chosen(double speed);
   void looked(CameraPreset preset);
   void forces_shown(bool on);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QLayout* make_playback();

@@ -276,10 +276,22 @@ void Overlay::ghost(const QPointF& at, const QString& name) {
   pill(r, name, font, 0);
 }
 
-void Overlay::clock(const QString& text) {
+QFont Overlay::clock_font() const {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);
   font.setBold(true);
+  return font;
+}
+
+void Overlay::keep_clock_clear(const QString& text) {
+  constexpr double kEdge_px = 6;
+  if (text.isEmpty()) return;
+  const QSizeF size = size_of(text, clock_font(), 0);
+  keep_clear({area_.right() - kEdge_px - size.width(), area_.top(), size.width() + kEdge_px, kEdge_px + size.height()});
+}
+
+void Overlay::clock(const QString& text) {
+  QFont font = clock_font();
   // in a narrow picture, such as one of two that are compared, the text is smaller, then in several lines
   constexpr double kSmallest = 0.72, kAround_px = 32;
   const double room = std::max(0.0, area_.width() - kAround_px), needed = QFontMetricsF(font).horizontalAdvance(text);

@@ -51,6 +51,8 @@ class Overlay {
   /// Keeps later labels off this area.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }
   void clock(const QString& text);
+  /// Keeps later labels off a clock in one line, which is painted after them.
+  void keep_clock_clear(const QString& text);
   /// A fact of the scene in the upper left corner; nothing for "".
   void corner(const QString& text);
   /// The title of an inset, at its top left.
@@ -64,6 +66,7 @@ class Overlay {
   void message(const QString& text);
 
  private:
+  QFont clock_font() const;
   QSizeF size_of(const QString& text, const QFont& font, double extra_left) const;
   QRectF cue_place(const QPointF& at, int slot, const QString& text, double extra_left);
   QRectF beside(const QPointF& at, double radius_px, const QString& text, double extra_left);

@@ -77,6 +77,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
     for (const Panel& other : job.panels)
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
+    overlay.keep_clock_clear(job.words.clock);
     if (scene_.have_card()) overlay.corner(medium_words(scene_.card().medium));
   }
   // marks of a scene that is not drawn yet would lie in the void

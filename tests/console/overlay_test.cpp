@@ -82,6 +82,27 @@ TEST(CueLabel, StandsInAnotherCornerWhereItsOwnIsKeptClear) {
   EXPECT_LT(left.right(), 300);
 }
 
+TEST(TargetWord, LeavesTheClockClear) {
+  const auto drawn = [](bool clear) {
+    QImage picture(500, 300, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    QPainter painter(&picture);
+    const UiTheme ui = UiTheme::stock(QStringLiteral("light"));
+    Overlay overlay(painter, picture.rect(), ui);
+    if (clear) overlay.keep_clock_clear(QStringLiteral("00:39"));
+    CueStyle style;
+    style.text = QStringLiteral("Leave this length of thread");
+    overlay.target_word({250, 20}, 9, style);  // its first place, right of the circle, reaches below the clock
+    painter.end();
+    int white = 0;  // where the clock is to be
+    for (int y = 4; y < 30; ++y)
+      for (int x = 430; x < 490; ++x) white += qGray(picture.pixel(x, y)) > 200;
+    return white;
+  };
+  EXPECT_GT(drawn(false), 100);
+  EXPECT_EQ(drawn(true), 0);
+}
+
 TEST(TracePlotLines, GoOnOverLatePicturesAndEndWhereTheSignalHasNoValue) {
   using Sample = TracePlot::Sample;
   const double none = std::nan("");

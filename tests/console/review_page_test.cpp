@@ -55,15 +55,16 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
 TEST_F(ReviewPages, AValueBeyondItsLimitHasASignAndItsLimitIsToldByKeys) {
   open_review();
   auto* table = child<QTableWidget>("review_metrics");
-  const QString value = table->item(0, 1)->text();
   ASSERT_EQ(review()->review().metrics[0].id, "grasp.tries");
+  ASSERT_EQ(review()->review().metrics[1].id, "force.peak");
+  const QString value = table->item(1, 1)->text();
   review()->attempt().set_metric_finder([](const QString&, const std::string& metric) {
-    return console::MetricSaid{{}, metric == "grasp.tries" ? console::MetricTarget{{}, 0.5} : console::MetricTarget{}};
+    return console::MetricSaid{{}, metric == "force.peak" ? console::MetricTarget{{}, 0.5} : console::MetricTarget{}};
   });
   click("page_people");
   QTest::keyClick(child<QTableView>("attempts"), Qt::Key_Return);
   ASSERT_TRUE(review()->isVisible());
-  EXPECT_EQ(table->item(0, 1)->text(), "▲ " + value);
+  EXPECT_EQ(table->item(0, 1)->text(), "▲ " + value) << "it comes first";
   EXPECT_EQ(table->item(0, 1)->foreground().color(), console::UiTheme::stock("light")["warn"]);
   EXPECT_TRUE(table->item(0, 1)->toolTip().startsWith("At most")) << table->item(0, 1)->toolTip().toStdString();
   EXPECT_TRUE(table->item(0, 1)->data(Qt::AccessibleTextRole).toString().contains("beyond the limit"));
@@ -73,6 +74,16 @@ TEST_F(ReviewPages, AValueBeyondItsLimitHasASignAndItsLimitIsToldByKeys) {
   EXPECT_EQ(child<QLabel>("review_asked")->text(), "");
   QTest::keyClick(table, Qt::Key_Up);
   EXPECT_TRUE(child<QLabel>("review_asked")->text().startsWith("At most 0.5")) << child<QLabel>("review_asked")->text().toStdString();
+}
+
+TEST_F(ReviewPages, NoButtonBelowThePictureIsSqueezed) {
+  open_review();
+  for (const int width : {1600, 1366, 1280}) {
+    window->resize(width, 768);
+    QTest::qWait(50);
+    for (const char* name : {"to_start", "step_back", "play", "step_on", "review_loop", "review_orbit", "review_forces"})
+      EXPECT_GE(child<QPushButton>(name)->width(), child<QPushButton>(name)->sizeHint().width()) << name << " at " << width;
+  }
 }
 
 // The trainee's window shows what the page in front is about; an attempt that runs comes first.
