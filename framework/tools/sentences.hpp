@@ -293,6 +293,7 @@ inline constexpr auto kTangent = "gives a tangent that is not unit."_sentence;
 inline constexpr auto kNormal = "gives a normal that is not unit."_sentence;
 inline constexpr auto kProperty = "gives a property that is negative or no number."_sentence;
 inline constexpr auto kFewNodes = "gives fewer than two nodes: a strand has two ends."_sentence;
+inline constexpr auto kNodesAlone = "It tells how many nodes it has, but has no trait {} that says where it is."_sentence;
 inline constexpr auto kStrand = "gives no length and radius > 0 m, or a strength that is negative or no number."_sentence;
 inline constexpr auto kElsewhere = "gives a place elsewhere than at s."_sentence;
 inline constexpr auto kStrandRange = "gives a place s outside of 0 to the length."_sentence;

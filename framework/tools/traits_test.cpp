@@ -201,7 +201,7 @@ class Traits {
     const auto* t = table<swage_strand_nodes>(SWAGE_TRAIT_STRAND_NODES);
     if (t == nullptr) return "";
     if (t->count == nullptr) return say::kGaps(SWAGE_TRAIT_STRAND_NODES);
-    if (slot_.instance->extension(SWAGE_TRAIT_STRAND) == nullptr) return say::kNoStrand(SWAGE_TRAIT_STRAND);
+    if (slot_.instance->extension(SWAGE_TRAIT_STRAND) == nullptr) return say::kNodesAlone(SWAGE_TRAIT_STRAND);
     uint32_t nodes = 0;
     std::string wrong = twice("count", nodes, [&](auto* out) { return t->count(slot_.instance->raw, &view(), out); });
     if (wrong.empty() && nodes < 2) return told("count", say::kFewNodes());
