@@ -15,9 +15,6 @@ cd "$(dirname "$0")/.."
 bin=build/${2:-release}/bin
 export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
 
-school=$folder/school.db empty=$folder/empty.db
-[ -f "$school" ] || "$bin/swage" people synthetic --store "$school" --attempts 1200
-
 # settings of its own for each picture, as the console remembers its layout
 picture() {
   local name=$1
@@ -36,21 +33,24 @@ live() {
 
 # The knot is replayed from a headless attempt: its steps are slower than real time on most machines.
 first_page() {
-  at=9 live 110_insertion --size 1440x900
+  at=9.6 live 110_insertion --size 1440x900
   mv "$folder/110_insertion.png" "$folder/console_insertion.png"
-  at=9 live 110_insertion --trainee side --size 1440x900
+  at=8.9 live 110_insertion --trainee side --size 1440x900
   mv "$folder/110_insertion.png" "$folder/trainee_stereo.png"
   at=4.5 live 050_suture_grasp --size 1280x800
   mv "$folder/050_suture_grasp.png" "$folder/console_suture.png"
   local knots=$folder/knots.db
   [ -f "$knots" ] || "$bin/swage" run lessons/series/132_square_knot.json --headless --as-fast-as-possible --device expert --store "$knots" >"$folder/knots.log"
-  at=53.5 picture square_knot --review latest --store "$knots" --size 1280x800 --language en --view near --trainee one
+  at=53.5 picture square_knot --review latest --store "$knots" --size 1600x1000 --language en --view near
 }
 
 if [ "${3:-all}" = readme ]; then
   first_page
   exit
 fi
+
+school=$folder/school.db empty=$folder/empty.db
+[ -f "$school" ] || "$bin/swage" people synthetic --store "$school" --attempts 1200
 
 for language in en de; do
   for size in 1280x800 1920x1080; do

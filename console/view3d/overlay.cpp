@@ -151,6 +151,7 @@ QRectF Overlay::cue_place(const QPointF& at, int slot, const QString& text, doub
     centre.setY(std::max(centre.y(), area_.top() + kBelowClock_px));
     return centre;
   };
+  if (two_eyes_) return room(below_clock(at + QPointF(x, y)), text, p_.font(), signs);
   for (const QPointF& way : {QPointF(x, y), QPointF(kOut * x, kOut * y), QPointF(-x, y), QPointF(x, other_y), QPointF(-x, other_y)}) {
     QRectF r(QPointF(), size);
     r.moveCenter(below_clock(at + way));

@@ -26,6 +26,9 @@ inline constexpr double kLeastMark_px = 9;
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
+  /// Of two eyes both must see a label at one place: none moves to another corner for what is behind it.
+  void set_two_eyes(bool two) { two_eyes_ = two; }
+  bool two_eyes() const { return two_eyes_; }
   /// Longest scale bar over the width of the picture.
   static constexpr double kScaleShare = 0.22;
   /// `left`: px that are covered at the left of the picture. `ground`: over what may be dark; a small close-up has no room for one.
@@ -79,6 +82,7 @@ class Overlay {
   QRectF area_;
   const UiTheme& ui_;
   QFont font_;                 // of transient texts
+  bool two_eyes_ = false;
   std::vector<QRectF> taken_;  // areas of labels
 };
 

@@ -155,6 +155,7 @@ void SceneMarks::keep_work_clear(Overlay& overlay, const Panel& panel) const {
     const QPointF at = panel.view.eye.project(scene_.place_of(place), panel.size);
     overlay.keep_clear({at.x() - kAboutWork_px, at.y() - kAboutWork_px, 2 * kAboutWork_px, 2 * kAboutWork_px});
   }
+  if (overlay.two_eyes()) return;
   for (const auto& line : wire_lines(scene_.card(), parts, scene_.X_WB()))
     for (size_t i = 0; i + 1 < line.size(); ++i) {
       const QRectF piece = QRectF(panel.view.eye.project(line[i], panel.size), panel.view.eye.project(line[i + 1], panel.size)).normalized();

@@ -16,6 +16,7 @@ void ScenePainter::paint(QPainter& painter, const Canvas& canvas, const std::vec
   const std::optional<StereoLook>& look = point_.stereo();
   if (look && (overlaid(look->layout) || look->mirror != Mirror::kNone)) return paint_eyes(painter, job);
   for (size_t i = 0; i < panels.size(); ++i) {
+    if (panels[i].inset != Inset::kNone && !drawn(job, i)) continue;  // its first picture is not there yet
     paint_panel(painter, job, panels[i], i);
     if (panels[i].inset != Inset::kNone) paint_frame(painter, panels[i]);
   }
@@ -73,6 +74,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   const auto [hint_left, hint_right] = beside_scale(job);
   const double below = whole ? Overlay::hint_height(job.words.hint, painter.font(), hint_left, hint_right) : 0;
   Overlay overlay(painter, QRectF(QPointF(), panel.size - QSizeF(0, below)), shown_.ui);
+  overlay.set_two_eyes(point_.stereo().has_value());
   if (whole) {
     for (const Panel& other : job.panels)
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);

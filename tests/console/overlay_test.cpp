@@ -46,13 +46,14 @@ TEST(Clock, TakesAsManyLinesAsTheStepInFrontOfItNeeds) {
 }
 
 /// Where the label of a cue is drawn: the box of what is not black, without the dot at its grasp and the line to it.
-QRect label_of_cue(const QRectF& kept_clear) {
+QRect label_of_cue(const QRectF& kept_clear, bool two_eyes = false) {
   QImage picture(800, 600, QImage::Format_RGB32);
   picture.fill(Qt::black);
   QPainter painter(&picture);
   const UiTheme ui = UiTheme::stock(QStringLiteral("light"));
   Overlay overlay(painter, picture.rect(), ui);
   overlay.keep_clear(kept_clear);
+  overlay.set_two_eyes(two_eyes);
   CueStyle style;
   style.text = QStringLiteral("Position right, with tips");
   overlay.cue({400, 300}, style, 0);
@@ -80,6 +81,7 @@ TEST(CueLabel, StandsInAnotherCornerWhereItsOwnIsKeptClear) {
   // all corners but the lower left one
   const QRect left = label_of_cue(QRectF(300, 0, 500, 600));
   EXPECT_LT(left.right(), 300);
+  EXPECT_NEAR(label_of_cue(needle, true).left(), usual.left(), 2) << "the other eye may see another thing there";
 }
 
 TEST(TargetWord, LeavesTheClockClear) {
