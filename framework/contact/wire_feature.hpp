@@ -14,7 +14,7 @@ namespace swage::contact {
 
 /// 0 up to `low`, 1 from `high` on, smooth in between.
 inline double ramp(double x, double low, double high) {
-  if (!(x > low)) return 0;
+  if (x <= low) return 0;
   if (x >= high) return 1;
   const double t = (x - low) / (high - low);
   return t * t * (3 - 2 * t);

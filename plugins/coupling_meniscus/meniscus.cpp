@@ -112,7 +112,11 @@ void Meniscus::on_solved(const CouplingStep& step, std::span<const swage_tie> ti
   auto& state = step.state<MeniscusState>();
   state.force = 0;
   for (Place& place : state.place) place.pull = 0;
-  for (size_t k = 0; k < ties.size(); ++k) state.force += state.place[bridge_[k]].pull = vec(ties[k].f_a_W).norm();
+  for (size_t k = 0; k < ties.size(); ++k) {
+    Place& place = state.place[bridge_[k]];
+    place.pull = vec(ties[k].f_a_W).norm();
+    state.force += place.pull;
+  }
 }
 
 /// A place becomes dry when it is lifted out of the film, or without a touch has moved along the surface by more than film and spacing.
