@@ -13,7 +13,7 @@ using scene::kNone;
 namespace {
 // Active contacts of strands with strands beyond which threads are wound. Islands of fewer constraints are solved for their forces, where
 // each one that bears nothing costs as much as one that does.
-constexpr uint32_t kWound = 32;
+constexpr uint32_t kWound = 16;
 }  // namespace
 
 ContactProblem::ContactProblem(const scene::World& world) : room(world.capacity), place(world) {

@@ -54,7 +54,7 @@ class ContactSolve {
   void count(const contact::ContactSet& contacts, Stats& stats) noexcept;
 
   const Options options_;
-  uint32_t few_ = 32;  // beyond, the dense matrix of the forces costs more than the sparse one of the displacements
+  uint32_t few_ = 16;  // beyond, the dense matrix of the forces costs more than the sparse one of the displacements
   ContactProblem p_;
   ContactIslands islands_;
   FlexiblePoints points_;
