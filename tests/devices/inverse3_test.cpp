@@ -33,7 +33,7 @@ double now_s() {
 std::string hex(const std::string& bytes) {
   std::string out;
   char text[3];
-  for (const unsigned char c : bytes) out += (std::snprintf(text, sizeof text, "%02x", c), text);
+  for (const char c : bytes) out += (std::snprintf(text, sizeof text, "%02x", static_cast<unsigned char>(c)), text);
   return out;
 }
 
