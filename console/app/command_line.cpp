@@ -40,6 +40,7 @@ QList<QCommandLineOption> all_options() {
       option("theme", QT_TRANSLATE_NOOP("command_line", "light, dark or contrast."), "theme"),
       option("cues", QT_TRANSLATE_NOOP("command_line", "thesis or safe: colours of the cues."), "cues"),
       option("view", QT_TRANSLATE_NOOP("command_line", "orbit, side, top or near."), "view"),
+      option("zoom", QT_TRANSLATE_NOOP("command_line", "Notches of the wheel by which the --view of a --review is nearer; below 0 farther."), "notches"),
       option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, shutter, one, left or right."), "layout"),
       option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review, setup or stations."), "page"),
       option("review", QT_TRANSLATE_NOOP("command_line", "Open a recorded attempt: its id, or latest."), "attempt"),
@@ -74,6 +75,7 @@ void take_options(const QCommandLineParser& parser, Launch& launch) {
   launch.language = text("language");
   launch.cues = text("cues");
   launch.view = text("view");
+  launch.zoom = text("zoom").toFloat();
   launch.trainee = text("trainee");
   launch.page = text("page");
   launch.review = text("review");

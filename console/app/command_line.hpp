@@ -16,6 +16,7 @@ struct Launch {
   bool start = false;
   bool draws_seed = true;      // a new seed for every attempt; false: the given seed or that of the lesson
   QString theme, cues, view;   // "": the remembered one
+  float zoom = 0;              // notches of the wheel by which the view of a review is nearer
   QString station;             // name under which other stations see this one; "": name of the machine
   QString language;            // "en", "de"; "": language of the system
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none

@@ -158,7 +158,7 @@ void MainWindow::open_given(const Launch& launch) {
   if (!launch.review.isEmpty()) {
     attempts_->open_at(launch.review, launch.start ? std::nullopt : std::optional(launch.screenshot_at_s));
     if (!launch.compare.isEmpty()) review_page()->compare(launch.compare);
-    if (view) review_page()->view()->look(*view);
+    if (view) review_page()->view()->look(*view, launch.zoom);
   }
   if (!launch.attempt_file.isEmpty()) review_file(launch.attempt_file);
   if (!launch.trainee.isEmpty()) trainee_->show_with(layout_of(launch.trainee));

@@ -20,6 +20,19 @@ QString beyond_sign(Beyond where) {
   return where == Beyond::kBelow ? QStringLiteral("▼") : QString();
 }
 
+QString marked_value(const MetricLine& line, const MetricTarget& target) {
+  const QString sign = beyond_sign(beyond(line.number, target));
+  return sign.isEmpty() ? line.value : sign + QLatin1Char(' ') + line.value;
+}
+
+QVector<const MetricLine*> by_limit(const Review& review) {
+  QVector<const MetricLine*> out;
+  for (const bool marked : {true, false})
+    for (const MetricLine& m : review.metrics)
+      if (!m.points && (beyond(m.number, m.target) != Beyond::kNo) == marked) out += &m;
+  return out;
+}
+
 QString limit_words(const MetricTarget& target, const QString& unit) {
   const auto text = [&](double value) { return quantity_text(value, unit); };
   if (target.low && target.high) return QObject::tr("From %1 to %2 is asked").arg(text(*target.low), text(*target.high));

@@ -14,6 +14,10 @@ enum class Beyond { kNo, kAbove, kBelow };
 Beyond beyond(double value, const MetricTarget& target);
 /// The sign that stands before such a value, so that it is not told by colour alone; "" for Beyond::kNo.
 QString beyond_sign(Beyond where);
+/// The value as text, behind its sign where it is outside the target: "▲ 1.60 N".
+QString marked_value(const MetricLine& line, const MetricTarget& target);
+/// The measurements, without deductions: those outside their targets first, each part in the order of the review. Pointers into it.
+QVector<const MetricLine*> by_limit(const Review& review);
 /// "At most 0.90 N is asked"; "" where the lesson asks nothing. `unit` is that of quantity_text().
 QString limit_words(const MetricTarget& target, const QString& unit);
 /// Gives each measurement of the attempt its target and the words for it; deductions have none.

@@ -65,8 +65,7 @@ void MetricsTable::tell(int row) {
 // The value of this attempt or of the other one, with a sign where it is outside what the lesson asks of the metric.
 QTableWidgetItem* MetricsTable::value_cell(const MetricLine& line, const MetricLine& metric) const {
   const Beyond where = beyond(line.number, metric.target);
-  const QString sign = beyond_sign(where);
-  QTableWidgetItem* out = cell(sign.isEmpty() ? line.value : sign + QLatin1Char(' ') + line.value, tip_of(metric));
+  QTableWidgetItem* out = cell(marked_value(line, metric.target), tip_of(metric));
   out->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   if (where == Beyond::kNo) return out;
   out->setData(kIsBeyond, true);
@@ -109,9 +108,7 @@ void MetricsTable::fill(const Review& review, const Review* other) {
   setRowCount(0);
   setColumnHidden(kOtherColumn, !other);
   // what is beyond its limit comes first: on a small screen the table shows six lines
-  for (const bool marked : {true, false})
-    for (const MetricLine& m : review.metrics)
-      if (!m.points && (beyond(m.number, m.target) != Beyond::kNo) == marked) add(m, other);
+  for (const MetricLine* m : by_limit(review)) add(*m, other);
   bool headed = false;
   for (const MetricLine& m : review.metrics) {
     if (!m.points) continue;

@@ -114,6 +114,7 @@ QWidget* RunPage::make_right() {
   result_ = new ResultPanel(right_);
   right_->addWidget(now_);
   right_->addWidget(result_);
+  size_as_shown(right_);
   return scroll;
 }
 

@@ -3,9 +3,11 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 
 #include "console/models/attempts_model.hpp"
 #include "console/models/made_with.hpp"
+#include "console/models/metric_limits.hpp"
 #include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
@@ -30,12 +32,8 @@ QString seconds(double s) { return AttemptWords::tr("%L1 s").arg(s, 0, 'f', 2); 
 void add_metrics(Sheet& sheet, const Review& review) {
   const QVector<double> shares = {0.5, 0.2, 0.3};
   sheet.row({AttemptWords::tr("Metric"), AttemptWords::tr("Value"), AttemptWords::tr("Direction")}, shares, true);
-  bool points = false;
-  for (const MetricLine& m : review.metrics) {
-    if (!m.points) sheet.row({m.name, m.value, better_words(m.better)}, shares, false);
-    points |= m.points;
-  }
-  if (!points) return;
+  for (const PrintedMetric& row : metric_rows(review)) sheet.row(row.cells, shares, false, row.below);
+  if (std::none_of(review.metrics.begin(), review.metrics.end(), [](const MetricLine& m) { return m.points; })) return;
   sheet.gap(4);
   sheet.keep(kHeading_px);
   sheet.row({AttemptWords::tr("Points lost"), AttemptWords::tr("Of 100"), {}}, shares, true);
@@ -98,7 +96,16 @@ QString made_with_line(const AttemptReport& r) {
          plugins.join(QStringLiteral(", "));
 }
 
-void draw(Sheet& sheet, const AttemptReport& r) {
+}  // namespace
+
+QVector<PrintedMetric> metric_rows(const Review& review) {
+  QVector<PrintedMetric> out;
+  for (const MetricLine* m : by_limit(review))
+    out.push_back({{m->name, marked_value(*m, m->target), better_words(m->better)}, beyond(m->number, m->target) != Beyond::kNo ? m->asked : QString()});
+  return out;
+}
+
+void draw_attempt(Sheet& sheet, const AttemptReport& r) {
   const record::AttemptRow& a = r.review.attempt;
   sheet.text(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
   const QString name = person_text(qt(a.person_name));
@@ -120,10 +127,8 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   sheet.text(made_with_line(r), 8, false, kGrey);
 }
 
-}  // namespace
-
 QString write_attempt_report(const AttemptReport& report, const QString& file) {
-  return write_sheet(file, report.review.headline(), [&](Sheet& sheet) { draw(sheet, report); });
+  return write_sheet(file, report.review.headline(), [&](Sheet& sheet) { draw_attempt(sheet, report); });
 }
 
 }  // namespace swage::console

@@ -722,6 +722,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Beside the recorded attempt another one at the same lesson: its id.</source>
         <translation>Neben dem aufgezeichneten Versuch ein anderer an derselben Lektion: seine Kennung.</translation>
     </message>
+    <message>
+        <source>Notches of the wheel by which the --view of a --review is nearer; below 0 farther.</source>
+        <translation>Rasten des Rads, um die die Ansicht (--view) eines --review näher ist; unter 0 ferner.</translation>
+    </message>
 </context>
 <context>
     <name>course_next</name>

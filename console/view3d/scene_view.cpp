@@ -142,8 +142,9 @@ void SceneView::follow() {
   point_.camera.follow_both(*watched, scene_.beside_watched(), shape_of(panels().front().size));
 }
 
-void SceneView::look(CameraPreset preset) {
+void SceneView::look(CameraPreset preset, float notches) {
   point_.look(preset);
+  point_.camera.zoom(notches);
   touch();
 }
 

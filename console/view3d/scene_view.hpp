@@ -46,7 +46,7 @@ class SceneView : public QWidget {
   void set_card(const snapshot::SceneCard& card, CameraPreset preset = CameraPreset::kOrbit);
   /// Copies the data that it needs; to be called at display rate.
   void show_snapshot(const snapshot::Snapshot& snapshot);
-  void look(CameraPreset preset);
+  void look(CameraPreset preset, float notches = 0);  // notches of the wheel by which it is nearer
   OrbitCamera& camera() { return point_.camera; }
   /// False in Test mode, and by choice.
   void set_cues_shown(bool shown);

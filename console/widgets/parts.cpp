@@ -151,6 +151,17 @@ QScrollArea* make_scroll(QWidget* parent) {
   return scroll;
 }
 
+void size_as_shown(QStackedWidget* stack) {
+  const auto fit = [stack] {
+    for (int i = 0; i < stack->count(); ++i) {
+      QWidget* page = stack->widget(i);
+      page->setSizePolicy(page->sizePolicy().horizontalPolicy(), i == stack->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    }
+  };
+  QObject::connect(stack, &QStackedWidget::currentChanged, stack, fit);
+  fit();
+}
+
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }

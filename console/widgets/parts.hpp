@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -55,6 +56,8 @@ QTableView* make_row_table(QAbstractItemModel* model, const QString& title, cons
 
 /// A frameless area that scrolls vertically where its content is taller than the area.
 QScrollArea* make_scroll(QWidget* parent);
+/// From now on the stack asks for the height of the page that it shows; by itself it asks for that of its highest page.
+void size_as_shown(QStackedWidget* stack);
 
 /// A line of text, elided where it does not fit, with the whole text as its tooltip.
 class ElidedLabel : public QLabel {

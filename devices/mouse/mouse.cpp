@@ -13,7 +13,7 @@ using toolkit::vec;
 namespace {
 
 Speeds speeds_of(const MouseParams& p) {
-  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.give, p.give_turn, p.latch};
+  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.tap, p.fine, p.smoothing, p.rest_force, p.give, p.give_turn, p.latch};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct MouseParams {
   double key_move = Speeds{}.key_move;
   double key_turn = Speeds{}.key_turn;
   double close_time = 1.5;  // s
+  double tap = Speeds{}.tap;  // s
   double fine = Speeds{}.fine;
   double smoothing = Speeds{}.smoothing;
   double rest_force = Speeds{}.rest_force;  // N
@@ -38,7 +39,7 @@ struct MouseParams {
 class Mouse final : public SeeingDevice<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
-  static constexpr auto version = "1.4.0";
+  static constexpr auto version = "1.5.0";
   static constexpr auto name = "Mouse and keyboard";
   static constexpr auto summary =
       "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
@@ -79,6 +80,10 @@ class Mouse final : public SeeingDevice<MouseParams> {
                                      "From open to closed while the closing key is down.")
           .group("Speed")
           .live(),
+      real<&MouseParams::tap>("tap", "Shortest stroke", "s", "ms", 0, 1,
+                              "Least time for which a key that is pressed moves, turns or drives: the smallest step of the keys is the speed times this.")
+          .group("Speed")
+          .hidden(),
       real<&MouseParams::fine>("fine", "Fine", "1", "1", 0.001, 1,
                                "Factor of all speeds while shift is down.")
           .group("Speed")

@@ -6,6 +6,7 @@
 #include <swage/abi/device.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +40,7 @@ struct Speeds {
   double key_move = 4e-3;                     // m/s
   double key_turn = 0.25 * std::numbers::pi;  // rad/s
   double squeeze = 0.6;                       // closure per second
+  double tap = 0.025;                         // s, least time for which a key moves, turns or drives: a short stroke is 0.1 mm or 1.1 deg
   double fine = 0.2;                          // factor of all the above while shift is down
   double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves smoothly
   double rest_force = 0.6;  // N, grip force at which closing stops until the key is pressed again; 0: it never stops
@@ -64,10 +66,8 @@ class MouseHand {
   /// One step of dt [s]. [rt]
   void step(const swage_pointer& pointer, double dt, const Felt& felt = {}) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
-    const Quat q_WC = toolkit::quat(pointer.camera);
-    if (const double angle = scale * along_circle(pointer, q_WC, dt); angle != 0) drive(angle);
-    if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
-    target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
+    lead(pointer, scale, dt);
+    lead_on(pointer, scale, dt);
     if (squeeze(pointer, scale, dt, felt.grip)) {
       yield(felt.pushes * scale * speeds_.give * dt);
       roll(std::clamp(felt.lever / kFullLever, -1.0, 1.0) * scale * speeds_.give_turn * dt);
@@ -79,6 +79,7 @@ class MouseHand {
   void rest(double dt) noexcept {
     goes_on_ = false;
     up_s_ = kLetGo_s;
+    left_s_.fill(0);
     smooth(dt);
   }
 
@@ -95,6 +96,33 @@ class MouseHand {
   double closure() const { return closure_; }  // 0..1
 
  private:
+  /// Moves, turns and drives the commanded pose as pointer and keys say.
+  void lead(const swage_pointer& p, double scale, double dt) noexcept {
+    const Quat q_WC = toolkit::quat(p.camera);
+    if (const double angle = scale * along_circle(p, q_WC, dt); angle != 0) drive(angle);
+    if (!drags_on_circle(p)) target_.p += scale * (q_WC * motion_C(p, dt));
+    target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(p, dt))) * target_.q).normalized();
+  }
+
+  /// A key that was released before its least time leads on until that is over, with the scale of its press. How long a stroke of a few
+  /// ms appears depends on the host, its window and its load; without a least time it could be a single step, 4 um, that nobody sees.
+  void lead_on(const swage_pointer& p, double scale, double dt) noexcept {
+    const uint64_t pressed = p.keys & ~keys_ & kLeading;
+    if (pressed != 0) press_scale_ = scale;
+    keys_ = p.keys;
+    swage_pointer late{};
+    late.camera = p.camera;
+    for (std::size_t i = 0; i < left_s_.size(); ++i) {
+      const uint64_t key = uint64_t{1} << i;
+      if ((pressed & key) != 0) left_s_[i] = speeds_.tap;
+      constexpr double kRounding = 1e-9;  // s, far below a step: the sum of steps must not add one
+      if (left_s_[i] <= kRounding) continue;
+      if ((p.keys & key) == 0) late.keys |= key;
+      left_s_[i] -= dt;
+    }
+    if (late.keys != 0) lead(late, press_scale_, dt);
+  }
+
   static double axis(uint64_t keys, uint64_t plus, uint64_t minus) {
     return ((keys & plus) != 0 ? 1.0 : 0.0) - ((keys & minus) != 0 ? 1.0 : 0.0);
   }
@@ -199,7 +227,14 @@ class MouseHand {
   // smaller one lets the hand swing about the wire.
   static constexpr double kFullLever = 0.1e-3;
 
+  // the keys that move, turn or drive
+  static constexpr uint64_t kLeading = letter('a') | letter('d') | letter('w') | letter('s') | letter('q') | letter('e') | letter('z') | letter('x') |
+                                       letter('t') | letter('g') | kLeft | kRight | kUp | kDown | kPageUp | kPageDown;
+
   Speeds speeds_;
+  uint64_t keys_ = 0;                            // down in the last step
+  std::array<double, SWAGE_KEY_COUNT> left_s_{};  // s of each key's least time that are left
+  double press_scale_ = 1;                       // factor of the speeds at the last press
   Circle circle_;
   Pose target_, middle_, pose_;
   double closure_ = 0;

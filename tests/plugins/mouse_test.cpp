@@ -141,6 +141,37 @@ TEST(MouseHand, ShiftIsFine) {
   EXPECT_NEAR(after(p, 1000).pose().p.x(), 0.2 * Speeds{}.key_move, 1e-12);
 }
 
+// A stroke that lasts one step of the host moves by the documented least step, with shift by a fifth of it, and then ends.
+TEST(MouseHand, TheShortestStrokeOfAKeyIsItsLeastStep) {
+  const auto stroke = [](uint64_t keys, uint32_t modifiers, int steps) {
+    MouseHand hand(quick(), Pose());
+    swage_pointer p = still();
+    for (int i = 0; i < 400; ++i) {
+      p.keys = i < steps ? keys : 0;
+      p.modifiers = i < steps ? modifiers : 0;
+      hand.step(p, 1e-3);
+    }
+    return hand.pose();
+  };
+  for (const int steps : {1, 10, 25}) EXPECT_NEAR(stroke(letter('d'), 0, steps).p.x(), 0.1e-3, 1e-12) << steps << " steps";
+  EXPECT_NEAR(stroke(letter('d'), kShift, 1).p.x(), 0.02e-3, 1e-12) << "shift went up with the key";
+  EXPECT_NEAR(stroke(letter('d'), 0, 100).p.x(), 0.4e-3, 1e-12) << "a longer one lasts as long as the key is down";
+  EXPECT_NEAR(toolkit::log_rotation(stroke(kRight, 0, 1).q).norm(), 0.025 * 0.25 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(stroke(kSpace | letter('c'), 0, 1).p, Vec3::Zero());
+}
+
+TEST(MouseHand, AStrokeEndsWithTheHandOver) {
+  MouseHand hand(quick(), Pose());
+  swage_pointer p = still();
+  p.keys = letter('d');
+  hand.step(p, 1e-3);
+  hand.rest(1e-3);
+  const Pose there = hand.pose();
+  p.keys = 0;
+  for (int i = 0; i < 50; ++i) hand.step(p, 1e-3);
+  EXPECT_EQ(hand.pose().p, there.p);
+}
+
 TEST(MouseHand, NewSpeedsHoldFromTheNextStepAndMoveNothing) {
   swage_pointer p = still();
   p.buttons = kLeftButton;

@@ -76,6 +76,37 @@ TEST(SeriesTexts, MeasureEveryNeedleByItsLength) {
   EXPECT_GE(variants, 8);
 }
 
+/// Number of a text with the unit N.
+double newtons(const nlohmann::json& value) {
+  const std::string text = value.get<std::string>();
+  EXPECT_TRUE(text.ends_with(" N")) << text;
+  return std::stod(text);
+}
+
+// The list of what happened, the cue and the meter speak of one limit: that of the lesson. Hands of keys come to rest clearly below it.
+TEST(SeriesTexts, TellOneLimitOfTheGripForce) {
+  constexpr double kUsualHard = 1.0, kUsualRest = 0.6;  // N, of swage.coupling.grasp and swage.device.mouse
+  constexpr double kBelow = 0.75;                       // share of the limit; nearer, the last step of the closing jaws passes it
+  int lessons = 0;
+  for (const auto& [path, lesson] : all()) {
+    const auto rules = lesson.value("lesson", nlohmann::json::object()).value("params", nlohmann::json::object());
+    if (!rules.contains("force")) continue;
+    const double limit = newtons(rules["force"][1]);
+    ++lessons;
+    for (const auto& coupling : lesson["couplings"]) {
+      if (coupling["plugin"] != "swage.coupling.grasp") continue;
+      const auto params = coupling.value("params", nlohmann::json::object());
+      EXPECT_EQ(params.contains("hard_force") ? newtons(params["hard_force"]) : kUsualHard, limit) << path << " " << coupling["name"];
+    }
+    for (const auto& device : lesson["devices"]) {
+      if (device["plugin"] != "swage.device.mouse") continue;
+      const auto params = device.value("params", nlohmann::json::object());
+      EXPECT_LE(params.contains("rest_force") ? newtons(params["rest_force"]) : kUsualRest, kBelow * limit) << path << " " << device["name"];
+    }
+  }
+  EXPECT_GE(lessons, 15);
+}
+
 // thesis 7.5: the stress of the needle counts wherever hands are graded by what they do with one; the straight needle of thesis 6.2.2 is
 // rigid, where angles are judged an assistant holds it, and a bending one is still lost where one mouse leads both tools (045)
 TEST(SeriesTexts, BendTheNeedleWhereHandsAreGraded) {
