@@ -108,8 +108,11 @@ TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
     EXPECT_FALSE(a.go(300).wrong);
     EXPECT_EQ(a.memory.wrong, 0);
     a.now.turns = -0.1;
-    EXPECT_TRUE(a.go(10).wrong) << "a single throw is all there is";
+    EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
+    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is";
     EXPECT_EQ(a.memory.wrong, 1);
+    a.now.word = word({2 * side});
+    EXPECT_FALSE(a.go(10).wrong);
   }
   for (const auto& [tied, wrong] : {std::pair{word({2, 1}), true}, {word({-2, 1}), false}, {word({3}), true}, {word({1, -1}), true}}) {
     Attempt a(rules);
