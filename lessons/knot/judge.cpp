@@ -111,12 +111,14 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   const int like = look.word.like(rules_.asked);
   const int throws = static_cast<int>(look.word.throws);
   memory.passages = look.passages;
-  finding.undone = throws < memory.throws;
+  memory.unwound_s = std::abs(look.turns) >= kWound ? 0 : memory.unwound_s + look.dt_s;
+  // a throw whose turn still lies on the holder is told as tied one time and not the next: it is tied, and can come undone, once the turn has left
+  finding.undone = throws < memory.laid;
   memory.undone += finding.undone;
+  memory.laid = memory.unwound_s >= kRead ? throws : std::min(memory.laid, static_cast<double>(throws));
   memory.throws = throws;
   memory.most_like = std::max(memory.most_like, static_cast<double>(like));
   // turns that slide off one by one tie a throw of two as one of one first
-  memory.unwound_s = std::abs(look.turns) >= kWound ? 0 : memory.unwound_s + look.dt_s;
   const bool slides_off = memory.unwound_s < kRead && look.word.begins_throw_of(rules_.asked);
   finding.wrong = look.tangled || (like < throws && !slides_off);
   memory.wrong += finding.wrong && memory.is_wrong == 0;

@@ -121,6 +121,30 @@ TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
   }
 }
 
+// a turn that still lies on the instrument is told as a throw one time and not the next; a throw below it that comes undone meanwhile counts
+TEST(KnotJudge, OnlyAThrowWhoseTurnsHaveLeftTheInstrumentComesUndone) {
+  Rules rules;
+  rules.asked = word({2, -1, 1});
+  Attempt a(rules);
+  a.now.word = word({2, -1});
+  a.go(10);
+  a.now.turns = -1.4;
+  a.go(10);
+  for (int i = 0; i < 2; ++i) {
+    a.now.word = word({2, -1, 1});
+    a.go(100);
+    a.now.word = word({2, -1});
+    EXPECT_FALSE(a.go(1).undone) << "its turn is still wound";
+  }
+  a.now.word = word({2});
+  EXPECT_TRUE(a.go(1).undone) << "the second throw was tied before";
+  a.now.word = word({2, -1, 1}), a.now.turns = 0;
+  a.go(1100);
+  a.now.word = word({2, -1});
+  EXPECT_TRUE(a.go(1).undone);
+  EXPECT_EQ(a.memory.undone, 2);
+}
+
 // of the throws of a surgeon's knot one may slide
 TEST(KnotJudge, AKnotMayHaveAsManySlidingThrowsAsItsLessonAllows) {
   Rules rules;
