@@ -11,6 +11,9 @@ namespace {
 constexpr double kLetGo = 0.5;
 // Turns from which the thread counts as wound about the holder; the hand that moves aside adds the rest of the turn.
 constexpr double kWound = 0.7;
+// s, after the last turn has slid off, in which the throw may still be told with the turns it had before: a reading takes 0.05 to 0.3 s and is told
+// once it has been the same for 0.05 s. Shorter: a double throw counts as a single one in between. Longer: a single one is told as wrong later.
+constexpr double kRead = 1;
 
 }  // namespace
 
@@ -108,12 +111,15 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   const int like = look.word.like(rules_.asked);
   const int throws = static_cast<int>(look.word.throws);
   memory.passages = look.passages;
-  finding.undone = throws < memory.throws;
+  memory.unwound_s = std::abs(look.turns) >= kWound ? 0 : memory.unwound_s + look.dt_s;
+  // a throw whose turn still lies on the holder is told as tied one time and not the next: it is tied, and can come undone, once the turn has left
+  finding.undone = throws < memory.laid;
   memory.undone += finding.undone;
+  memory.laid = memory.unwound_s >= kRead ? throws : std::min(memory.laid, static_cast<double>(throws));
   memory.throws = throws;
   memory.most_like = std::max(memory.most_like, static_cast<double>(like));
   // turns that slide off one by one tie a throw of two as one of one first
-  const bool slides_off = std::abs(look.turns) >= kWound && look.word.begins_throw_of(rules_.asked);
+  const bool slides_off = memory.unwound_s < kRead && look.word.begins_throw_of(rules_.asked);
   finding.wrong = look.tangled || (like < throws && !slides_off);
   memory.wrong += finding.wrong && memory.is_wrong == 0;
   memory.is_wrong = finding.wrong ? 1 : 0;

@@ -78,6 +78,8 @@ struct Memory {
   double has[2] = {0, 0};            // 0 or 1: the thread is held, and its grip force has not ceased since
   double let_go = 0, let_go_s = 0, regrasps = 0;  // 0 or 1: the long end was laid down; s, since then; times that it was taken anew
   double long_tension = 0;           // N, of the long end while it was last held
+  double unwound_s = 1e3;            // s, since a turn was last on the holder
+  double laid = 0;                   // throws that were tied once their turns had left the holder: these can come undone
   double throws = 0, most_like = 0, undone = 0, wrong = 0, is_wrong = 0, drops = 0, passages = 0;
   double held_s = 0, over_s = 0, taut_s = 0;
   double least_gap = 1, cut = 0, tail = 0;  // m

@@ -78,10 +78,9 @@ void Knot::bind(const Peer& a, const Peer& b) {
   if (a.raw() != b.raw()) refuse("a knot is of one thread: name the same one twice in \"between\"");
 }
 
-/// A finer thread is looked at as often as it has nodes: between fewer places its narrow turns are cut off, and go through each other.
 void Knot::reset(const CouplingStep& step) {
   step.state<KnotState>() = {};
-  params_.places = std::max(params_.places, std::min(kMostPlaces, static_cast<int>(thread_.nodes(step.a()))));
+  params_.places = thread_.places(step.a(), params_.places, kMostPlaces);
 }
 
 /// Finds the piece of the thread that has the knot, of one without a knot the longest that has not broken, and its places.

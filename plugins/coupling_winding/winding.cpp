@@ -39,10 +39,9 @@ void Winding::bind(const Peer& a, const Peer& b) {
   if (!thread_.valid()) refuse("the thread has no table of " SWAGE_TRAIT_STRAND);
 }
 
-/// A finer thread is looked at as often as it has nodes: between fewer places its narrow turns are cut off, and go through the jaws.
 void Winding::reset(const CouplingStep& step) {
   step.state<WindingState>() = {};
-  params_.places = std::max(params_.places, std::min(kPlaces, static_cast<int>(thread_.nodes(step.b()))));
+  params_.places = thread_.places(step.b(), params_.places, kPlaces);
   last_ = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
 }
 

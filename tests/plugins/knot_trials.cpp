@@ -107,17 +107,18 @@ double gap(const LessonRun& run) {
   return run.signal("left_edge", "tissue.shift") + run.signal("right_edge", "tissue.shift");
 }
 
-void log(const LessonRun& run) {
+/// `stitch` is the greatest tension at the stitch since the line before [N].
+void log(const LessonRun& run, double stitch) {
   const Vec3 h = 1e3 * tool(run, "holder").p, f = 1e3 * tool(run, "forceps").p;
   std::printf("%6.2f %-5s H %6.2f %6.2f %6.2f  F %6.2f %6.2f %6.2f  turns %5.2f behind %5.2f  foretold %-7s tied %-7s  held %.2f %.2f N"
-              "  T %5.2f L %5.2f grip %5.2f most %6.2f mN  closed %.3f loop %5.2f knot %5.2f to %5.2f loosest %5.2f mm  passages %g %g %g\n",
+              "  T %5.2f L %5.2f stitch %5.2f grip %5.2f most %6.2f mN  closed %.3f loop %5.2f knot %5.2f to %5.2f loosest %5.2f mm  passages %g %g %g  cut %.3f mm  sliding %g\n",
               run.world().time(), run.phase().c_str(), h.x(), h.y(), h.z(), f.x(), f.y(), f.z(), run.signal("winding", "winding.turns"),
               1e3 * run.signal("winding", "winding.behind"), foretold(run).c_str(), tied(run).c_str(), run.signal("grasp", "grasp.force"),
               run.signal("tail_grasp", "grasp.force"), 1e3 * run.signal("left_stitch", "pull.tension_tail"),
-              1e3 * run.signal("right_stitch", "pull.tension_out"), 1e3 * run.signal("suture", "thread.tension_grip"), 1e3 * run.signal("suture", "thread.tension"), 1e3 * gap(run),
+              1e3 * run.signal("right_stitch", "pull.tension_out"), 1e3 * stitch, 1e3 * run.signal("suture", "thread.tension_grip"), 1e3 * run.signal("suture", "thread.tension"), 1e3 * gap(run),
               1e3 * run.signal("knot", "knot.loop"), 1e3 * run.signal("knot", "knot.from"), 1e3 * run.signal("knot", "knot.to"), 1e3 * run.signal("knot", "knot.loosest"),
               run.signal("suture", "thread.passed"), run.signal("winding", "winding.passages"),
-              run.signal("knot", "knot.passages"));
+              run.signal("knot", "knot.passages"), 1e3 * run.metric("tissue.cut"), run.signal("knot", "knot.sliding"));
   std::fflush(stdout);
 }
 
@@ -235,23 +236,30 @@ bool try_it(const Options& o, uint64_t seed) {
     std::printf("%s\n", run.problems().c_str());
     std::exit(1);
   }
-  double next_log = o.log_s, pull = 0;
+  double next_log = o.log_s, pull = 0, stitch = 0, logged = 0;  // s, N, N, N
   size_t picture = 0;
   while (run.outcome() == "running" && run.world().time() < o.max_s && !run.engine().hand_gone()) {
     run.step();
     pull = std::max(pull, run.signal("suture", "thread.tension"));
+    const double now = std::max(run.signal("left_stitch", "pull.tension_tail"), run.signal("right_stitch", "pull.tension_out"));
+    stitch = std::max(stitch, now), logged = std::max(logged, now);
     if (o.log_s > 0 && run.world().time() >= next_log) {
-      log(run);
+      log(run, logged);
+      logged = 0;
       if (!o.nodes.empty()) write_nodes(run, o.nodes + "." + std::to_string(std::lround(run.world().time())));
       next_log += o.log_s;
     }
     if (picture < o.times.size() && run.world().time() >= o.times[picture])
       draw(run, o.shape + std::to_string(picture) + ".svg"), ++picture;
   }
-  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f mN  drops %g  late: %s\n",
+  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f, at the stitch %.1f mN  cut %.3f"
+              "  loop %.2f  loosest %.2f mm  sliding %g  drops %g  late: %s\n",
               static_cast<unsigned long long>(seed), run.outcome().c_str(), run.reason().c_str(), run.verdict().score, run.world().time(), tied(run).c_str(),
-              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull, run.metric("thread.drops"),
+              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull, 1e3 * stitch, 1e3 * run.metric("tissue.cut"),
+              1e3 * run.signal("knot", "knot.loop"), 1e3 * run.signal("knot", "knot.loosest"), run.signal("knot", "knot.sliding"), run.metric("thread.drops"),
               base::text(run.engine().stats().health).c_str());
+  for (const char* what : {"undone", "drops", "tension", "force", "cut", "time"})
+    if (const double points = run.metric(std::string("points.") + what); points > 0) std::printf("  lost for %s: %.1f points\n", what, points);
   std::fflush(stdout);
   if (!o.nodes.empty()) write_nodes(run, o.nodes);
   for (const double friction : o.frictions) {

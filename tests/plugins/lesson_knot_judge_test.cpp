@@ -108,14 +108,41 @@ TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
     EXPECT_FALSE(a.go(300).wrong);
     EXPECT_EQ(a.memory.wrong, 0);
     a.now.turns = -0.1;
-    EXPECT_TRUE(a.go(10).wrong) << "a single throw is all there is";
+    EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
+    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is";
     EXPECT_EQ(a.memory.wrong, 1);
+    a.now.word = word({2 * side});
+    EXPECT_FALSE(a.go(10).wrong);
   }
   for (const auto& [tied, wrong] : {std::pair{word({2, 1}), true}, {word({-2, 1}), false}, {word({3}), true}, {word({1, -1}), true}}) {
     Attempt a(rules);
     a.now.word = tied, a.now.turns = -1.5;
     EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
   }
+}
+
+// a turn that still lies on the instrument is told as a throw one time and not the next; a throw below it that comes undone meanwhile counts
+TEST(KnotJudge, OnlyAThrowWhoseTurnsHaveLeftTheInstrumentComesUndone) {
+  Rules rules;
+  rules.asked = word({2, -1, 1});
+  Attempt a(rules);
+  a.now.word = word({2, -1});
+  a.go(10);
+  a.now.turns = -1.4;
+  a.go(10);
+  for (int i = 0; i < 2; ++i) {
+    a.now.word = word({2, -1, 1});
+    a.go(100);
+    a.now.word = word({2, -1});
+    EXPECT_FALSE(a.go(1).undone) << "its turn is still wound";
+  }
+  a.now.word = word({2});
+  EXPECT_TRUE(a.go(1).undone) << "the second throw was tied before";
+  a.now.word = word({2, -1, 1}), a.now.turns = 0;
+  a.go(1100);
+  a.now.word = word({2, -1});
+  EXPECT_TRUE(a.go(1).undone);
+  EXPECT_EQ(a.memory.undone, 2);
 }
 
 // of the throws of a surgeon's knot one may slide

@@ -8,6 +8,7 @@
 #include <swage/peer.hpp>
 #include <swage/plugin.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace swage {
@@ -89,6 +90,9 @@ class StrandPeer {
     uint32_t nodes = 0;
     return nodes_ != nullptr && nodes_->count(raw_, step.raw(), &nodes) == SWAGE_OK ? nodes : 0;
   }
+  /// Number of places at which to look at it: `asked`, or as many as it has nodes where these are more, `most` of them at most. Between fewer places
+  /// than nodes its narrow turns are cut off, and go through each other and through what they are wound about.
+  int places(const Step& step, int asked, int most) const SWAGE_RT { return std::max(asked, static_cast<int>(std::min(static_cast<uint32_t>(most), nodes(step)))); }
 
  private:
   swage_instance* raw_ = nullptr;
