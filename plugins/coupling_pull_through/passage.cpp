@@ -245,4 +245,9 @@ double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, H
   return torn_O.norm();
 }
 
+void begin_here(Hole& hole) {
+  put(hole.first, vec3(hole.p));
+  hole.cut = 0;
+}
+
 }  // namespace swage::coupling_pull_through

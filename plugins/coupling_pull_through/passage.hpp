@@ -105,5 +105,7 @@ Change follow(const Site& site, Passage& passage, const PassageLaw& law, double 
 swage_tie tie_of(const Site& site, const PassageLaw& law, const Passage& passage, uint32_t i);
 /// Takes the solved force and slip of that tie. Returns the length by which the hole was cut [m].
 double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, Hole& hole);
+/// Takes the hole as made where it is: nothing of it has been cut.
+void begin_here(Hole& hole);
 
 }  // namespace swage::coupling_pull_through
