@@ -41,7 +41,7 @@ first_page() {
   mv "$folder/050_suture_grasp.png" "$folder/console_suture.png"
   local knots=$folder/knots.db
   [ -f "$knots" ] || "$bin/swage" run lessons/series/132_square_knot.json --headless --as-fast-as-possible --device expert --store "$knots" >"$folder/knots.log"
-  at=53.5 picture square_knot --review latest --store "$knots" --size 1600x1000 --language en --view near --zoom 12
+  at=53.5 picture square_knot --review latest --store "$knots" --size 1600x1000 --language en --view near --zoom 6
 }
 
 if [ "${3:-all}" = readme ]; then
