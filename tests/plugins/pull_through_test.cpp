@@ -257,13 +257,14 @@ TEST(PullThrough, starts_in_the_tissue_where_the_thread_lies) {
 
 /// A thread that lies bent through weak tissue springs as it is let go, 0.1 mm in 2 ms, before anybody touches it.
 TEST(PullThrough, counts_no_cut_while_the_thread_comes_to_rest) {
-  const std::string through = R"({"name": "pull", "plugin": "swage.coupling.pull_through", "params": {"starts": "through"}, )";
+  const std::string through = R"({"plugin": "swage.coupling.pull_through", "params": {"starts": "through"}, )";
+  const std::string edge = R"("params": {"level": "plane", "size": ["5 mm", "9 mm"], "thickness": "1.5 mm", "backing": 0, "failure_stress": "1.5 MPa"}})";
   ThreadScene s(R"({"name": "thread", "plugin": "swage.object.thread",
-                    "params": {"suture": "nylon_8_0.json", "memory": "0 1/m", "start": "path", "length": "44 mm", "segments": 110,
-                               "path": "1 0 22, 1 0 1.5, 0.866 0 1, 0.5 0 0.634, 0 0 0.5, -0.5 0 0.634, -0.866 0 1, -1 0 1.5, -1 0 21.5 mm"}},
-                   {"name": "tissue", "plugin": "swage.object.tissue", "pose": {"p": [0, 0, "1.5 mm"]},
-                    "params": {"size": ["6 mm", "4 mm"], "thickness": "1.5 mm", "backing": 0, "failure_stress": "1.5 MPa"}})",
-                through + R"("between": ["thread", "tissue"]})");
+                    "params": {"suture": "nylon_8_0.json", "memory": "0 1/m", "start": "path", "length": "55.333 mm", "segments": 138,
+                               "path": "1 0 33.7, 1 0 1.5, 0.966 0 1.241, 0.866 0 1, 0.707 0 0.793, 0.5 0 0.634, 0.259 0 0.534, 0 0 0.5, -0.259 0 0.534, -0.5 0 0.634, -0.707 0 0.793, -0.866 0 1, -0.966 0 1.241, -1 0 1.5, -1 0 21.5 mm"}},
+                   {"name": "left", "plugin": "swage.object.tissue", "pose": {"p": ["-2.6 mm", 0, "1.5 mm"]}, )" + edge +
+                    R"(, {"name": "right", "plugin": "swage.object.tissue", "pose": {"p": ["2.6 mm", 0, "1.5 mm"], "rpy": [0, 0, "180 deg"]}, )" + edge,
+                through + R"("between": ["thread", "left"]}, )" + through + R"("between": ["thread", "right"]})");
   ASSERT_NE(s.engine, nullptr);
   double most = 0;
   for (int i = 0; i < 300; ++i) {
