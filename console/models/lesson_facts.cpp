@@ -57,14 +57,6 @@ Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalo
   return out;
 }
 
-/// The value of a parameter used as a limit: of an interval its `end`, 0 or 1.
-std::optional<double> limit(const Judged& lesson, const std::string& id, size_t end) {
-  const swage_value* value = nullptr;
-  const host::Param* p = id.empty() ? nullptr : lesson.find(id, &value);
-  if (!p) return {};
-  return value->number[p->dimension == 2 ? end : 0];
-}
-
 // A value with its unit as people write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
 QString number_words(const host::Param& p, double value) {
   const std::string& unit = p.display_unit == "%" ? p.display_unit : p.unit;
@@ -114,6 +106,17 @@ bool holds(const Judged& lesson, const std::string& when) {
   if (text) return !lesson.text_of(value).empty() != not_so;
   if (equals == std::string::npos) return (value->number[0] != 0) != not_so;
   return (p->type == SWAGE_PARAM_CHOICE && p->choices[static_cast<size_t>(value->number[0])] == when.substr(equals + 1)) != not_so;
+}
+
+/// The value of a parameter used as a limit: of an interval its `end`, 0 or 1. None where that parameter switches its criterion off, as a tilt
+/// of 0 that stands for any.
+std::optional<double> limit(const Judged& lesson, const std::string& id, size_t end) {
+  const swage_value* value = nullptr;
+  const host::Param* p = id.empty() ? nullptr : lesson.find(id, &value);
+  if (!p) return {};
+  for (const host::CriterionInfo& c : lesson.plugin->criteria)
+    if (c.when == id && !holds(lesson, c.when)) return {};
+  return value->number[p->dimension == 2 ? end : 0];
 }
 
 /// The sentence with its parameters' values filled in.

@@ -90,9 +90,10 @@ host::Catalogue limits() {
   host::PluginInfo plugin;
   plugin.kind = SWAGE_KIND_LESSON;
   plugin.id = "org.example.limits";
-  plugin.params = {real("max_force", "N", 1.5), real("tolerance", "m", 3e-4)};
+  plugin.params = {real("max_force", "N", 1.5), real("tolerance", "m", 3e-4), real("max_tilt", "rad", 0)};
+  plugin.criteria = {{"Hold it straight, to within {max_tilt}.", "max_tilt", SWAGE_CRITERION_PASS}};
   plugin.metrics = {metric("force.peak", "", "max_force"), metric("force.mean", "", ""),
-                    metric("insert.entry_distance", "", "tolerance"), metric("time", "", "par_time")};
+                    metric("insert.entry_distance", "", "tolerance"), metric("time", "", "par_time"), metric("grasp.tilt", "", "max_tilt")};
   host::Catalogue::Options nothing;
   nothing.use_environment = false;
   nothing.install_dir = "/nowhere";
@@ -107,7 +108,6 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   EXPECT_EQ(metric_target(interval, "force.peak", catalogue()), (MetricTarget{{}, 0.9}));
   EXPECT_EQ(metric_target(interval, "force.mean", catalogue()), (MetricTarget{0.2, 0.9}));
   EXPECT_EQ(metric_target(interval, "force.over_time", catalogue()), MetricTarget{});
-
   const std::string limit = lesson(dir, "{}", "org.example.limits");
   const auto band = force_band(limit, limits());
   ASSERT_TRUE(band);
@@ -118,6 +118,9 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   EXPECT_EQ(metric_target(limit, "insert.entry_distance", limits()), (MetricTarget{{}, 3e-4}));
   EXPECT_EQ(metric_target(limit, "time", limits()), MetricTarget{});
   EXPECT_EQ(metric_targets(limit, limits()), (std::map<std::string, MetricTarget>{{"force.peak", {{}, 1.5}}, {"insert.entry_distance", {{}, 3e-4}}}));
+  // the tilt of 0 stands for any: its criterion is off, and nothing is asked
+  EXPECT_EQ(metric_target(limit, "grasp.tilt", limits()), MetricTarget{});
+  EXPECT_EQ(metric_target(lesson(dir, R"({"max_tilt": "0.5 rad"})", "org.example.limits"), "grasp.tilt", limits()), (MetricTarget{{}, 0.5}));
 }
 
 // Criteria contain the lesson's own values.
