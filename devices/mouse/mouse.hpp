@@ -80,10 +80,6 @@ class Mouse final : public SeeingDevice<MouseParams> {
                                      "From open to closed while the closing key is down.")
           .group("Speed")
           .live(),
-      real<&MouseParams::tap>("tap", "Shortest stroke", "s", "ms", 0, 1,
-                              "Least time for which a key that is pressed moves, turns or drives: the smallest step of the keys is the speed times this.")
-          .group("Speed")
-          .hidden(),
       real<&MouseParams::fine>("fine", "Fine", "1", "1", 0.001, 1,
                                "Factor of all speeds while shift is down.")
           .group("Speed")
@@ -122,6 +118,10 @@ class Mouse final : public SeeingDevice<MouseParams> {
       real<&MouseParams::give_turn>("give_turn", "Yields, turning", "rad/s", "deg/s", 0, 3600 * kDegree,
                                     "Greatest speed at which the hand rolls with the wire on which the jaws close obliquely; 0: it never does.")
           .live()
+          .hidden(),
+      real<&MouseParams::tap>("tap", "Shortest stroke", "s", "ms", 0, 1,
+                              "Least time for which a key that is pressed moves, turns or drives: the smallest step of the keys is the speed times this.")
+          .group("Speed")
           .hidden(),
   };
 
