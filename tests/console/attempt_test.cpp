@@ -12,10 +12,8 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QScreen>
-#include <QStackedWidget>
 #include <QTest>
 #include <QTimer>
-#include <QVBoxLayout>
 
 #include "console/models/attempts_model.hpp"
 #include "console/models/standing.hpp"
@@ -253,27 +251,6 @@ TEST_F(AttemptOnPage, AResultTellsWhatWasAsked) {
 }
 
 // The bench gave 100 of 100 to a spectator.
-// The readings of the next attempt have the height of the window again, and no scroll bar.
-TEST_F(AttemptOnPage, ALongResultLeavesTheNextReadingsTheirHeight) {
-  QStackedWidget stack;
-  auto* readings = new QWidget(&stack);
-  auto* result = new QWidget(&stack);
-  readings->setLayout(new QVBoxLayout);
-  result->setLayout(new QVBoxLayout);
-  for (const auto& [page, height] : {std::pair{readings, 300}, std::pair{result, 900}}) {
-    auto* content = new QWidget(page);
-    content->setMinimumHeight(height);
-    page->layout()->addWidget(content);
-    stack.addWidget(page);
-  }
-  console::size_as_shown(&stack);
-  EXPECT_LT(stack.minimumSizeHint().height(), 400);
-  stack.setCurrentWidget(result);
-  EXPECT_GE(stack.minimumSizeHint().height(), 900);
-  stack.setCurrentWidget(readings);
-  EXPECT_LT(stack.minimumSizeHint().height(), 400);
-}
-
 TEST_F(AttemptOnPage, ADemonstrationLeavesNoScore) {
   open();
   console::AttemptOptions options(*page()->setup());

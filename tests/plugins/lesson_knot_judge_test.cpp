@@ -22,14 +22,12 @@ Word word(std::initializer_list<double> turns) {
 /// An attempt told step by step, with both ends held.
 struct Attempt {
   explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
-    now.gap = 0.4e-3;
-    hold(0.3);
+    now.gap = 0.4e-3; hold(0.3);
   }
   Finding go(int n) {
     Finding finding;
     for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++;
-      finding = judge.look(memory, now);
+      now.time_s = 1e-3 * step++; finding = judge.look(memory, now);
       if (finding.end != End::kRunning) break;
     }
     return finding;
@@ -49,7 +47,6 @@ struct Attempt {
     now.cut_at = -1, now.parted += 1;
     return finding;
   }
-
   Judge judge;
   Memory memory;
   Look now;
@@ -62,8 +59,7 @@ TEST(KnotJudge, AKnotThatIsKeptDrawnDownPasses) {
     a.tie(word({sign}));
     EXPECT_EQ(a.go(900).stage, Stage::kHold);
     const Finding end = a.go(200);
-    EXPECT_EQ(end.end, End::kPassed);
-    EXPECT_EQ(end.score, 100);
+    EXPECT_EQ(end.end, End::kPassed); EXPECT_EQ(end.score, 100);
   }
 }
 
@@ -85,8 +81,7 @@ TEST(KnotJudge, WhatIsLooseOpenOrSlidesIsNotKept) {
   const auto held = [](auto&& spoil) {
     Attempt a;
     a.tie(word({1}));
-    spoil(a.now);
-    a.go(3000);
+    spoil(a.now); a.go(3000);
     return a.memory.best_hold_s;
   };
   EXPECT_GT(held([](Look&) {}), 0.9);
@@ -105,19 +100,15 @@ TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
   for (const double side : {1.0, -1.0}) {
     Attempt a(rules);
     a.now.word = word({side}), a.now.turns = -1.5;
-    EXPECT_FALSE(a.go(300).wrong);
-    EXPECT_EQ(a.memory.wrong, 0);
-    a.now.turns = -0.1;
-    EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
-    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is";
-    EXPECT_EQ(a.memory.wrong, 1);
+    EXPECT_FALSE(a.go(300).wrong); EXPECT_EQ(a.memory.wrong, 0);
+    a.now.turns = -0.1; EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
+    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is"; EXPECT_EQ(a.memory.wrong, 1);
     a.now.word = word({2 * side});
     EXPECT_FALSE(a.go(10).wrong);
   }
   for (const auto& [tied, wrong] : {std::pair{word({2, 1}), true}, {word({-2, 1}), false}, {word({3}), true}, {word({1, -1}), true}}) {
     Attempt a(rules);
-    a.now.word = tied, a.now.turns = -1.5;
-    EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
+    a.now.word = tied, a.now.turns = -1.5; EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
   }
 }
 
@@ -152,8 +143,7 @@ TEST(KnotJudge, AKnotMayHaveAsManySlidingThrowsAsItsLessonAllows) {
   for (const double sliding : {0.0, 1.0, 2.0}) {
     Attempt a(rules);
     a.tie(word({2, -1, 1}));
-    a.now.sliding = sliding;
-    EXPECT_EQ(a.go(1200).end, sliding < 2 ? End::kPassed : End::kRunning) << sliding;
+    a.now.sliding = sliding; EXPECT_EQ(a.go(1200).end, sliding < 2 ? End::kPassed : End::kRunning) << sliding;
   }
 }
 
@@ -205,11 +195,8 @@ TEST(KnotJudge, AKnotThatWasKeptFlatMayBeToldAsSlidingAsItsEndsAreCut) {
   for (const bool was_flat : {true, false}) {
     Attempt a(ends_are_cut());
     a.tie(word({1, -1}));
-    a.now.sliding = was_flat ? 0 : 1;
-    a.go(1100);
-    a.now.sliding = 1;
-    EXPECT_EQ(a.go(10).stage, was_flat ? Stage::kCutEnds : Stage::kLay);
-    a.cut(23e-3), a.cut(9e-3);
+    a.now.sliding = was_flat ? 0 : 1; a.go(1100); a.now.sliding = 1;
+    EXPECT_EQ(a.go(10).stage, was_flat ? Stage::kCutEnds : Stage::kLay); a.cut(23e-3), a.cut(9e-3);
     EXPECT_EQ(a.go(1100).end, was_flat ? End::kPassed : End::kRunning);
   }
 }
@@ -217,8 +204,7 @@ TEST(KnotJudge, AKnotThatWasKeptFlatMayBeToldAsSlidingAsItsEndsAreCut) {
 TEST(KnotJudge, WhereACutEndsTheAttempt) {
   const auto end = [](double at, const Word& tied, const Rules& rules) {
     Attempt a(rules);
-    a.tie(tied);
-    a.go(500);
+    a.tie(tied); a.go(500);
     const Finding finding = a.cut(at);
     EXPECT_TRUE(finding.end == End::kRunning || finding.score <= 40);
     return finding.end;
@@ -310,8 +296,7 @@ TEST(KnotJudge, WhatEndsAnAttempt) {
   const auto end = [](auto&& spoil) {
     Attempt a;
     a.tie(word({1}));
-    a.go(500);
-    spoil(a.now);
+    a.go(500); spoil(a.now);
     const Finding finding = a.go(1);
     EXPECT_LE(finding.score, 40);
     return finding.end;
@@ -325,8 +310,7 @@ TEST(KnotJudge, WhatEndsAnAttempt) {
 TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
   Attempt a;
   for (int i = 0; i < 2; ++i) {
-    a.hold(0.3), a.go(100);
-    a.hold(0), a.go(100);
+    a.hold(0.3), a.go(100); a.hold(0), a.go(100);
   }
   EXPECT_EQ(a.memory.drops, 2);
   a.hold(0.3), a.go(100);
@@ -340,11 +324,9 @@ TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
 TEST(KnotJudge, ALongEndThatIsDrawnOutOfClosedJawsIsADrop) {
   const auto drops = [](const Word& tied, int jaws) {
     Attempt a;
-    a.now.word = tied;
-    a.go(100);
+    a.now.word = tied; a.go(100);
     for (const double force : {0.2, 0.1, 0.05, 0.01}) a.now.grip[jaws] = force, a.go(1);  // as it slips out
-    a.now.grip[jaws] = 0, a.now.held[jaws] = false;
-    a.go(500);
+    a.now.grip[jaws] = 0, a.now.held[jaws] = false; a.go(500);
     EXPECT_EQ(a.memory.has[jaws], 0);
     return a.memory.drops;
   };

@@ -27,8 +27,7 @@ Speeds quick() {
 MouseHand after(swage_pointer p, int n = 1, Speeds speeds = quick()) {
   MouseHand hand(speeds, Pose());
   for (int i = 0; i < n; ++i) {
-    hand.step(p, 1e-3);
-    p.dx = p.dy = p.wheel = 0;
+    hand.step(p, 1e-3); p.dx = p.dy = p.wheel = 0;
   }
   return hand;
 }
@@ -113,8 +112,7 @@ TEST(MouseHand, ADragDrivesSoThatTheTipsFollowThePointer) {
     MouseHand hand(quick(), Pose());
     hand.set_circle(below());
     swage_pointer p = still();
-    p.camera = toolkit::raw(side);
-    p.buttons = kLeftButton;
+    p.camera = toolkit::raw(side); p.buttons = kLeftButton;
     p.keys = alt ? 0 : letter('c');
     p.modifiers = alt ? kAlt : 0;
     p.dx = 1e-3;
@@ -272,12 +270,10 @@ TEST(MouseHand, SmoothingTakesOutTheStep) {
   p.dx = 0.1;
   double last = 0, quickest = 0;
   for (int i = 0; i < 300; ++i) {
-    hand.step(p, 1e-3);
-    p.dx = 0;
+    hand.step(p, 1e-3); p.dx = 0;
     const double x = hand.pose().p.x();
     EXPECT_GE(x, last);
-    quickest = std::max(quickest, (x - last) / 1e-3);
-    last = x;
+    quickest = std::max(quickest, (x - last) / 1e-3); last = x;
   }
   EXPECT_NEAR(last, 1e-3, 1e-3 * 1e-4);
   // critically damped: at most 1/e of the step per time constant
@@ -313,14 +309,12 @@ TEST(Mouse, StartsWhereItIsToldAndReadsThePointer) {
   const auto& device = stage.table<swage_device>(SWAGE_EXT_DEVICE);
   ASSERT_EQ(device.open(stage.raw()), SWAGE_OK);
   stage.on_rt();
-
   g_pointer = still();
   swage_command command{};
   swage_sample sample{};
   ASSERT_EQ(device.exchange(stage.raw(), &command, &sample), SWAGE_OK);
   EXPECT_EQ(sample.pose.p.z, 3e-3);
   EXPECT_LT((toolkit::quat(sample.pose.q) * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-12);
-
   g_pointer.buttons = kLeftButton;
   g_pointer.dy = 0.1;
   command.time_s = 1e-3;
@@ -337,11 +331,9 @@ struct TwoHands {
       hand[i].pointer_table = &table;
       EXPECT_EQ(hand[i].activate(), SWAGE_OK);
       EXPECT_EQ(device(i).open(hand[i].raw()), SWAGE_OK);
-      hand[i].on_rt();
-      sample[i].pose.q.w = 1;
+      hand[i].on_rt(); sample[i].pose.q.w = 1;
     }
-    g_pointer = still();
-    step(1);
+    g_pointer = still(); step(1);
   }
   const swage_device& device(int i) { return hand[i].table<swage_device>(SWAGE_EXT_DEVICE); }
   void step(int n) {
@@ -351,7 +343,6 @@ struct TwoHands {
     }
   }
   bool led(int i) const { return (sample[i].valid & SWAGE_VALID_BUTTONS) != 0; }
-
   const swage_host_pointer table{[](const swage_host*) -> const swage_pointer* { return &g_pointer; }};
   stage::Stage hand[2] = {stage::Stage("swage.device.mouse"), stage::Stage("swage.device.mouse")};
   swage_command command{};
@@ -368,7 +359,6 @@ TEST(Mouse, TabHandsOverAndTheOtherToolStaysAndHolds) {
   EXPECT_NEAR(first.closure, 0.5 * 1 / 1.5, 0.01);
   EXPECT_NEAR(second.pose.p.x, -8e-3, 1e-15) << "only the first is led";
   EXPECT_EQ(second.closure, 0);
-
   // the keys are still down while Tab is pressed: they do not close the other jaws, and do not lead it
   g_pointer.keys |= kTab;
   two.step(100);
@@ -383,7 +373,6 @@ TEST(Mouse, TabHandsOverAndTheOtherToolStaysAndHolds) {
   EXPECT_NEAR(two.sample[1].pose.p.x, -7e-3, 1e-5);
   EXPECT_EQ(two.sample[0].pose.p.x, first.pose.p.x) << "it stays";
   EXPECT_EQ(two.sample[0].closure, first.closure) << "and holds, also where jaws spring open when the key is let go";
-
   // and back; one press is one hand-over, however long it lasts
   g_pointer.keys = kTab;
   two.step(300);

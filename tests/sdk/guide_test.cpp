@@ -59,7 +59,7 @@ std::map<std::string, std::string> instantiated() {
       files[std::string(e.kind) + "/" + fill(entry.path().filename().string())] = fill(read(entry.path()));
   }
   // and what no template has: a plugin that our tests build and run
-  files["series/113_insertion_left.json"] = read(kRoot / "lessons/series/113_insertion_left.json");
+  files["series/111_insertion_quarter.json"] = read(kRoot / "lessons/series/111_insertion_quarter.json");
   files["series/118_stitch_dry.json"] = read(kRoot / "lessons/series/118_stitch_dry.json");
   files["leash/leash.cpp"] = read(kRoot / "tests/plugins_for_tests/leash/leash.cpp");
   files["sticky/sticky.cpp"] = read(kRoot / "tests/plugins_for_tests/sticky/sticky.cpp");

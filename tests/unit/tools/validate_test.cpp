@@ -370,12 +370,10 @@ TEST_F(Validate, LessonFilesToo) {
   const Said said = swage({"validate", good});
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_EQ(said.out, good + ": good\n");
-
   const Said all = swage({"validate", source("lessons/series")});
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr(good + ": good\n"));
   EXPECT_THAT(all.err, testing::Not(HasSubstr(step::say::kStartsInside.words(2)))) << "what starts held is no fault of a lesson";
-
   std::ifstream in(good);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::string right = "\"wire_diameter\": \"100 um\"";
