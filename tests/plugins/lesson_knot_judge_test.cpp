@@ -7,51 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <vector>
+
+#include "knot_attempt.hpp"
 
 namespace swage::lesson_knot {
 namespace {
-
-Word word(std::initializer_list<double> turns) {
-  Word out;
-  for (const double t : turns) out.turns[static_cast<size_t>(out.throws++)] = t;
-  return out;
-}
-
-/// An attempt told step by step, with both ends held.
-struct Attempt {
-  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
-    now.gap = 0.4e-3; hold(0.3);
-  }
-  Finding go(int n) {
-    Finding finding;
-    for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++; finding = judge.look(memory, now);
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
-  }
-  void hold(double force) {
-    for (int i = 0; i < 2; ++i) now.grip[i] = force, now.held[i] = force > 0;
-  }
-  /// Tied, drawn down, edges together; of a thread of 30 mm.
-  void tie(const Word& tied) {
-    now.word = tied, now.loop = 5e-3, now.gap = 0.02e-3, now.tension = 4e-3;
-    now.loosest = 1.5e-3, now.from = 12e-3, now.to = 20e-3;
-  }
-  /// Cuts the thread there [m], in one step.
-  Finding cut(double at) {
-    now.cut_at = at;
-    const Finding finding = go(1);
-    now.cut_at = -1, now.parted += 1;
-    return finding;
-  }
-  Judge judge;
-  Memory memory;
-  Look now;
-  int step = 0;
-};
 
 TEST(KnotJudge, AKnotThatIsKeptDrawnDownPasses) {
   for (const double sign : {1.0, -1.0}) {
@@ -59,7 +20,8 @@ TEST(KnotJudge, AKnotThatIsKeptDrawnDownPasses) {
     a.tie(word({sign}));
     EXPECT_EQ(a.go(900).stage, Stage::kHold);
     const Finding end = a.go(200);
-    EXPECT_EQ(end.end, End::kPassed); EXPECT_EQ(end.score, 100);
+    EXPECT_EQ(end.end, End::kPassed);
+    EXPECT_EQ(end.score, 100);
   }
 }
 
@@ -81,7 +43,8 @@ TEST(KnotJudge, WhatIsLooseOpenOrSlidesIsNotKept) {
   const auto held = [](auto&& spoil) {
     Attempt a;
     a.tie(word({1}));
-    spoil(a.now); a.go(3000);
+    spoil(a.now);
+    a.go(3000);
     return a.memory.best_hold_s;
   };
   EXPECT_GT(held([](Look&) {}), 0.9);
@@ -100,15 +63,19 @@ TEST(KnotJudge, AThrowWhoseTurnsAreStillOnTheInstrumentIsNotWrong) {
   for (const double side : {1.0, -1.0}) {
     Attempt a(rules);
     a.now.word = word({side}), a.now.turns = -1.5;
-    EXPECT_FALSE(a.go(300).wrong); EXPECT_EQ(a.memory.wrong, 0);
-    a.now.turns = -0.1; EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
-    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is"; EXPECT_EQ(a.memory.wrong, 1);
+    EXPECT_FALSE(a.go(300).wrong);
+    EXPECT_EQ(a.memory.wrong, 0);
+    a.now.turns = -0.1;
+    EXPECT_FALSE(a.go(500).wrong) << "the turn that has just slid off is not told yet";
+    EXPECT_TRUE(a.go(600).wrong) << "a single throw is all there is";
+    EXPECT_EQ(a.memory.wrong, 1);
     a.now.word = word({2 * side});
     EXPECT_FALSE(a.go(10).wrong);
   }
   for (const auto& [tied, wrong] : {std::pair{word({2, 1}), true}, {word({-2, 1}), false}, {word({3}), true}, {word({1, -1}), true}}) {
     Attempt a(rules);
-    a.now.word = tied, a.now.turns = -1.5; EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
+    a.now.word = tied, a.now.turns = -1.5;
+    EXPECT_EQ(a.go(10).wrong, wrong) << tied.turns[0] << " " << tied.turns[1];
   }
 }
 
@@ -143,7 +110,8 @@ TEST(KnotJudge, AKnotMayHaveAsManySlidingThrowsAsItsLessonAllows) {
   for (const double sliding : {0.0, 1.0, 2.0}) {
     Attempt a(rules);
     a.tie(word({2, -1, 1}));
-    a.now.sliding = sliding; EXPECT_EQ(a.go(1200).end, sliding < 2 ? End::kPassed : End::kRunning) << sliding;
+    a.now.sliding = sliding;
+    EXPECT_EQ(a.go(1200).end, sliding < 2 ? End::kPassed : End::kRunning) << sliding;
   }
 }
 
@@ -161,86 +129,6 @@ TEST(KnotJudge, AKnotWithALooseThrowIsNotKept) {
   EXPECT_EQ(a.memory.best_hold_s, 0);
   a.now.loosest = 1.5e-3;
   EXPECT_EQ(a.go(1100).end, End::kPassed);
-}
-
-Rules ends_are_cut() {
-  Rules rules;
-  rules.asked = word({1, -1}), rules.cut = true, rules.tail = 3e-3, rules.tail_tolerance = 1e-3;
-  return rules;
-}
-
-TEST(KnotJudge, BothEndsAreCutToLengthAndTheKnotKeepsWithoutTheHands) {
-  Attempt a(ends_are_cut());
-  a.tie(word({1, -1}));
-  EXPECT_EQ(a.go(900).stage, Stage::kHold);
-  EXPECT_EQ(a.go(1000).stage, Stage::kCutEnds) << "kept, and not done";
-  EXPECT_TRUE(a.cut(23e-3).cut);
-  EXPECT_NEAR(a.memory.end[1], 3e-3, 1e-9) << "m, the tail";
-  EXPECT_EQ(a.go(2000).stage, Stage::kCutEnds) << "the long end is still there";
-  EXPECT_TRUE(a.cut(7.5e-3).cut);
-  EXPECT_EQ(a.go(2000).stage, Stage::kCutEnds) << "4.5 mm are too long";
-  EXPECT_FALSE(a.judge.end_good(a.memory, 0));
-  EXPECT_TRUE(a.cut(9.2e-3).cut);
-  EXPECT_NEAR(a.memory.end[0], 2.8e-3, 1e-9);
-  a.hold(0);
-  EXPECT_EQ(a.go(900).end, End::kRunning) << "it is to keep anew";
-  const Finding end = a.go(200);
-  EXPECT_EQ(end.end, End::kPassed);
-  EXPECT_EQ(end.lost.tails, 0) << "half of the tolerance costs nothing";
-  EXPECT_EQ(end.score, 100);
-}
-
-// the form is judged while hands draw the ends: ends that are slack or short tell none
-TEST(KnotJudge, AKnotThatWasKeptFlatMayBeToldAsSlidingAsItsEndsAreCut) {
-  for (const bool was_flat : {true, false}) {
-    Attempt a(ends_are_cut());
-    a.tie(word({1, -1}));
-    a.now.sliding = was_flat ? 0 : 1; a.go(1100); a.now.sliding = 1;
-    EXPECT_EQ(a.go(10).stage, was_flat ? Stage::kCutEnds : Stage::kLay); a.cut(23e-3), a.cut(9e-3);
-    EXPECT_EQ(a.go(1100).end, was_flat ? End::kPassed : End::kRunning);
-  }
-}
-
-TEST(KnotJudge, WhereACutEndsTheAttempt) {
-  const auto end = [](double at, const Word& tied, const Rules& rules) {
-    Attempt a(rules);
-    a.tie(tied); a.go(500);
-    const Finding finding = a.cut(at);
-    EXPECT_TRUE(finding.end == End::kRunning || finding.score <= 40);
-    return finding.end;
-  };
-  const Word square = word({1, -1});
-  EXPECT_EQ(end(16e-3, square, ends_are_cut()), End::kSevered) << "in the loop";
-  EXPECT_EQ(end(12.1e-3, square, ends_are_cut()), End::kSevered) << "in a throw";
-  EXPECT_EQ(end(23e-3, word({1}), ends_are_cut()), End::kSevered) << "before all is tied";
-  EXPECT_EQ(end(21.5e-3, square, ends_are_cut()), End::kTailShort);
-  EXPECT_EQ(end(23e-3, square, ends_are_cut()), End::kRunning);
-  Attempt torn(ends_are_cut());
-  torn.tie(square), torn.go(500), torn.cut(23e-3);
-  torn.now.parted = 2;
-  EXPECT_EQ(torn.go(1).end, End::kBroken) << "more places have parted than were cut";
-}
-
-TEST(KnotJudge, AnEndOffByMoreThanHalfTheToleranceCosts) {
-  Attempt a(ends_are_cut());
-  a.tie(word({1, -1}));
-  a.go(100), a.cut(23.75e-3), a.cut(9e-3);
-  const Finding end = a.go(1100);
-  EXPECT_EQ(end.end, End::kPassed);
-  EXPECT_NEAR(end.lost.tails, 5, 1e-9);
-  EXPECT_NEAR(end.score, 95, 1e-9);
-}
-
-// of an attempt that is not passed throws, hold and ends count a third each
-TEST(KnotJudge, EndsCountWhereTheAttemptIsNotPassed) {
-  Rules rules = ends_are_cut();
-  rules.max_time = 2;
-  Attempt a(rules);
-  a.tie(word({1, -1}));
-  a.go(1100), a.cut(23e-3), a.now.gap = 0.4e-3;
-  const Finding end = a.go(2000);
-  EXPECT_EQ(end.end, End::kOutOfTime);
-  EXPECT_NEAR(end.score, 40 * (1 + 1 + 0.5) / 3, 1e-9);
 }
 
 TEST(KnotJudge, AGrannyIsNoSquareKnot) {
@@ -296,7 +184,8 @@ TEST(KnotJudge, WhatEndsAnAttempt) {
   const auto end = [](auto&& spoil) {
     Attempt a;
     a.tie(word({1}));
-    a.go(500); spoil(a.now);
+    a.go(500);
+    spoil(a.now);
     const Finding finding = a.go(1);
     EXPECT_LE(finding.score, 40);
     return finding.end;
@@ -310,7 +199,8 @@ TEST(KnotJudge, WhatEndsAnAttempt) {
 TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
   Attempt a;
   for (int i = 0; i < 2; ++i) {
-    a.hold(0.3), a.go(100); a.hold(0), a.go(100);
+    a.hold(0.3), a.go(100);
+    a.hold(0), a.go(100);
   }
   EXPECT_EQ(a.memory.drops, 2);
   a.hold(0.3), a.go(100);
@@ -324,9 +214,11 @@ TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
 TEST(KnotJudge, ALongEndThatIsDrawnOutOfClosedJawsIsADrop) {
   const auto drops = [](const Word& tied, int jaws) {
     Attempt a;
-    a.now.word = tied; a.go(100);
+    a.now.word = tied;
+    a.go(100);
     for (const double force : {0.2, 0.1, 0.05, 0.01}) a.now.grip[jaws] = force, a.go(1);  // as it slips out
-    a.now.grip[jaws] = 0, a.now.held[jaws] = false; a.go(500);
+    a.now.grip[jaws] = 0, a.now.held[jaws] = false;
+    a.go(500);
     EXPECT_EQ(a.memory.has[jaws], 0);
     return a.memory.drops;
   };
