@@ -5,14 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <QBuffer>
-#include <QPainter>
-#include <QPdfWriter>
-
 #include "console/app/language.hpp"
 #include "console/models/metric_limits.hpp"
-#include "console/report/sheet.hpp"
 #include "fake_recording.hpp"
+#include "paper.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::console {
@@ -51,16 +47,7 @@ TEST_F(AttemptReports, CutNoWord) {
     set_limits(review, [](const std::string&) { return MetricTarget{-0.01, 0.015}; });
     review.metrics[0].name = QString::fromLatin1(language) == QLatin1String("en") ? QStringLiteral("Turns about the instrument, a whole one from 0.75")
                                                                                   : QStringLiteral("Ferner Rand, Stichabstand innen (Nadeldurchmesser)");
-    QBuffer out;
-    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
-    QPdfWriter pdf(&out);
-    pdf.setResolution(96);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
-    QPainter painter(&pdf);
-    Sheet sheet(pdf, painter, QRectF(0, 0, pdf.width(), pdf.height()), "Arun P.", 1);
-    draw_attempt(sheet, {review, recording, {}, {}, {}, {}});
-    EXPECT_TRUE(sheet.cut().isEmpty()) << language << ": " << sheet.cut().join("; ").toStdString();
+    EXPECT_EQ(swage::test::cut_on_paper("Arun P.", [&](Sheet& sheet) { draw_attempt(sheet, {review, recording, {}, {}, {}, {}}); }), "") << language;
   }
   use_language(QStringLiteral("en"));
   QLocale::setDefault(QLocale::c());
