@@ -19,7 +19,7 @@ constexpr double kNewTouch = 4;
 constexpr double kBeside = 24;
 // In thread radii: thread that must be out of the last bite before another begins: tissue that springs back over the end is no new bite.
 constexpr double kApart = 96;
-// s, from the start of an attempt, in which a thread that lies in the tissue comes to rest. What it tears meanwhile is where its holes are, not a cut:
+// s, in which a thread that was laid through the tissue comes to rest. What it tears meanwhile is where its holes are, not a cut:
 // nobody has touched it. 8-0 nylon bent to a half circle of 1 mm moves its holes by 0.1 mm in 2 ms. Shorter: that counts as cut. Longer: a quick hand's
 // first pull does not.
 constexpr double kComesToRest = 0.1;
@@ -72,6 +72,7 @@ PassageLaw PullThrough::law(const Site& site) const {
 void PullThrough::reset(const CouplingStep& step) {
   auto& state = step.state<PullThroughState>();
   state = {};
+  state.began_s = step.time();
   if (params_.starts == Starts::kOutside) return;
   const Site site = this->site(step);
   if (site.good && lie_through(site, state.bite[0])) state.bites = 1;
@@ -130,12 +131,13 @@ void PullThrough::on_solved(const CouplingStep& step, std::span<const swage_tie>
   Vec3 force = Vec3::Zero();
   state.drag_along = state.lateral = 0;
   const double before = state.bite[0].hole[0].rest;
+  const bool comes_to_rest = params_.starts == Starts::kThrough && step.time() - state.began_s < kComesToRest;
   const swage_tie* tie = ties.data();
   for (int b = 0; b < state.count(); ++b)
     for (uint32_t i = 0; i < state.bite[b].holes(); ++i, ++tie) {
       Hole& hole = state.bite[b].hole[i];
       take_tie(site, law(site), *tie, hole);
-      if (params_.starts == Starts::kThrough && step.time() < kComesToRest) begin_here(hole);
+      if (comes_to_rest) begin_here(hole);
       force -= vec(tie->f_a_W);
       state.drag_along -= hole.along;
       state.lateral = std::max(state.lateral, vec3(hole.across).norm());

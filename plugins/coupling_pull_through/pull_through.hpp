@@ -40,6 +40,7 @@ struct PullThroughState {
   double told_out;                        // 1: pull.came_out was sent for the first bite
   double cut, back;                       // m, longest cut of a hole so far; m, thread length drawn back so far
   double drag_along, force[3], lateral;  // N, of the last step
+  double began_s;                         // s, when the thread was laid where it starts: at the start, or when it was put back
 
   int count() const { return static_cast<int>(bites); }
   /// m, length of thread between bite `b` and the one before it, or the other end of the thread, whose length is `length` [m].
