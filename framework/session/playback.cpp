@@ -25,32 +25,10 @@ constexpr uint64_t kKeep = 500;
 
 namespace fs = std::filesystem;
 
-// the files of a recording, in a temporary folder with the lifetime of this object
-class Unpacked {
- public:
-  explicit Unpacked(const std::vector<record::FileInfo>& files) {
-    if (files.empty()) return;
-    folder_.emplace("replay");
-    if (folder_->path().empty()) return;
-    for (const record::FileInfo& file : files) {
-      // a number in front: two folders may hold files of the same name. The rest is for people
-      const std::string name = std::to_string(path_.size()) + "_" + fs::path(file.name).filename().string();
-      const fs::path path = folder_->path() / name;
-      std::ofstream(path, std::ios::binary) << file.bytes;
-      path_[file.name] = path.string();
-    }
-  }
-  const std::map<std::string, std::string>& paths() const { return path_; }
-
- private:
-  std::optional<base::ScratchFolder> folder_;  // none without files
-  std::map<std::string, std::string> path_;
-};
-
 // attempts of format 1 lack the flags for reading their samples: their devices are created
-assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& files) {
+assembly::Overrides overrides(const record::AttemptInfo& info, const std::map<std::string, std::string>& files) {
   assembly::Overrides out;
-  out.files = files.paths();
+  out.files = files;
   out.mode = info.mode;
   out.eyes = eyes_of(info.display);
   for (const record::HandInfo& hand : info.hands)
@@ -72,6 +50,28 @@ void tell_other_versions(const host::Rig& rig, const record::AttemptInfo& info, 
 
 }  // namespace
 
+// the files of a recording, in a temporary folder with the lifetime of this object
+class Playback::Unpacked {
+ public:
+  explicit Unpacked(const std::vector<record::FileInfo>& files) {
+    if (files.empty()) return;
+    folder_.emplace("replay");
+    if (folder_->path().empty()) return;
+    for (const record::FileInfo& file : files) {
+      // a number in front: two folders may hold files of the same name. The rest is for people
+      const std::string name = std::to_string(path_.size()) + "_" + fs::path(file.name).filename().string();
+      const fs::path path = folder_->path() / name;
+      std::ofstream(path, std::ios::binary) << file.bytes;
+      path_[file.name] = path.string();
+    }
+  }
+  const std::map<std::string, std::string>& paths() const { return path_; }
+
+ private:
+  std::optional<base::ScratchFolder> folder_;  // none without files
+  std::map<std::string, std::string> path_;
+};
+
 // gives the recorded sample of each step, for any request
 class Playback::Port final : public step::DevicePort {
  public:
@@ -84,7 +84,7 @@ class Playback::Port final : public step::DevicePort {
 };
 
 Playback::Playback(const record::Recording& recording, std::vector<std::string> plugin_dirs)
-    : recording_(recording), plugin_dirs_(std::move(plugin_dirs)) {
+    : recording_(recording), plugin_dirs_(std::move(plugin_dirs)), files_(std::make_unique<Unpacked>(recording.info.files)) {
   while (count_ < recording.step.size() && recording.step[count_] == count_) ++count_;
   first_difference_ = count_;
 }
@@ -107,8 +107,7 @@ bool Playback::build(base::Problems& problems) {
   host::Catalogue::Options search;
   search.plugin_dirs = plugin_dirs_;
   const host::Catalogue catalogue(search);
-  const Unpacked files(info.files);
-  rig_ = assembly::assemble(file, catalogue, overrides(info, files), problems);
+  rig_ = assembly::assemble(file, catalogue, overrides(info, files_->paths()), problems);
   if (!rig_) return false;
   tell_other_versions(*rig_, info, problems);
   if (rig_->devices.size() != info.devices.size()) {

@@ -49,6 +49,7 @@ class Playback {
 
  private:
   class Port;
+  class Unpacked;
   struct Kept {
     uint64_t at = 0;
     std::vector<std::byte> image;
@@ -61,6 +62,7 @@ class Playback {
 
   const record::Recording& recording_;
   const std::vector<std::string> plugin_dirs_;
+  std::unique_ptr<Unpacked> files_;  // of the recording; the rig names their places
   std::unique_ptr<host::Rig> rig_;
   std::vector<std::unique_ptr<Port>> ports_;
   std::unique_ptr<step::Engine> engine_;

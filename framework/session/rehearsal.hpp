@@ -25,6 +25,8 @@ class Rehearsal {
   Rehearsal& operator=(const Rehearsal&) = delete;
 
   const snapshot::SceneCard& card() const { return rig_->card; }
+  const host::Rig& rig() const { return *rig_; }
+  const step::Engine& engine() const { return *engine_; }
   /// Steps done so far.
   uint64_t at() const { return at_; }
   /// True when the lesson has its verdict, or all hands have ended.

@@ -30,6 +30,7 @@ struct Arguments {
   RunOptions run;
   StudyOptions study;
   ReplayOptions replay;
+  PullVerbOptions pull;
   ValidateOptions validate;
   DescribeOptions describe;
   WordsOptions words;
@@ -104,6 +105,19 @@ void add_replay(CLI::App& app, Arguments& a) {
   verb->add_flag("--json", a.replay.json, "The result as JSON");
   plugin_dirs(verb, a.replay.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return replay(a.replay); }; });
+}
+
+void add_pull(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("pull", "Pull a copy of a knot of a kept attempt: does it hold?");
+  PullVerbOptions& o = a.pull;
+  verb->add_option("attempt", o.what, "Attempt id or its beginning, \"last\", or a .swage file")->required();
+  verb->add_option("--at", o.at_s, "Moment of the attempt [s]; its end unless given")->check(CLI::NonNegativeNumber);
+  verb->add_option("--load", o.load, "What the loop is to bear [N]")->capture_default_str()->check(CLI::Range(1e-3, 10.0));
+  verb->add_option("--friction", o.friction, "Of the thread on itself; as in the attempt unless given")->check(CLI::Range(1e-3, 3.0));
+  verb->add_option("--store", o.store, "Attempts database");
+  verb->add_flag("--json", o.json, "The result as JSON");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return pull(a.pull); }; });
 }
 
 void add_audit(CLI::App& app, Arguments& a) {
@@ -340,7 +354,7 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", "swage " SWAGE_VERSION);
   app.require_subcommand(1);
   Arguments a;
-  for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_words, add_new,
+  for (const auto add : {add_run, add_study, add_replay, add_pull, add_validate, add_audit, add_describe, add_words, add_new,
                          add_doctor, add_bench, add_attempts, add_needle, add_simulate_sensor, add_calibrate})
     add(app, a);
   add_school_verbs(app, a.chosen);

@@ -99,4 +99,19 @@ bool find_attempt(record::Store& store, const std::string& meant, record::Attemp
   return true;
 }
 
+bool load_attempt(const std::string& what, const std::string& store_given, record::Recording& out, std::string& id, std::string& error) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(what, ignored)) return record::read_recording(what, "", out, error);
+  if (what.ends_with(".swage")) {
+    error = say::kNoFile(what);
+    return false;
+  }
+  const std::string where = store_place(store_given);
+  const auto store = existing_store(where, error);
+  record::AttemptRow row;
+  if (!store || !find_attempt(*store, what, row, error)) return false;
+  id = row.id;
+  return record::read_recording(where, row.id, out, error);
+}
+
 }  // namespace swage::tools

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "record/recorder.hpp"
 #include "record/store.hpp"
 
 namespace swage::tools {
@@ -40,5 +41,9 @@ std::unique_ptr<record::Store> existing_store(const std::string& where, std::str
 /// Finds an attempt by its id, the beginning of an id, or "last". False with a message.
 bool find_attempt(record::Store& store, const std::string& meant, record::AttemptRow& out,
                   std::string& error);
+
+/// Loads the attempt that a person names: an exported .swage file, or an attempt of the store, as for find_attempt(). `id`: of the store's. False with a
+/// message.
+bool load_attempt(const std::string& what, const std::string& store_given, record::Recording& out, std::string& id, std::string& error);
 
 }  // namespace swage::tools

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "record/recorder.hpp"
@@ -16,23 +15,6 @@
 
 namespace swage::tools {
 namespace {
-
-// loads an attempt from an exported file or from the store
-bool load(const ReplayOptions& o, record::Recording& out, std::string& id, std::string& error) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(o.what, ignored))
-    return record::read_recording(o.what, "", out, error);
-  if (o.what.ends_with(".swage")) {
-    error = say::kNoFile(o.what);
-    return false;
-  }
-  const std::string where = store_place(o.store);
-  const auto store = existing_store(where, error);
-  record::AttemptRow row;
-  if (!store || !find_attempt(*store, o.what, row, error)) return false;
-  id = row.id;
-  return record::read_recording(where, row.id, out, error);
-}
 
 // "" when the recording has every step from the first on
 std::string gap_text(const record::Recording& recording) {
@@ -150,7 +132,7 @@ int replay(const ReplayOptions& o) {
   if (o.grade) return grade(o);
   record::Recording recording;
   std::string id, error;
-  if (!load(o, recording, id, error)) return problem(error);
+  if (!load_attempt(o.what, o.store, recording, id, error)) return problem(error);
   if (const std::string gap = gap_text(recording); !gap.empty()) return problem(o.what + ": " + gap);
 
   session::Replay result;

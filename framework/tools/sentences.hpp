@@ -338,6 +338,13 @@ inline constexpr auto kMeasurements = "{} measurements; the longest exchange too
 inline constexpr auto kIdentical = "identical {} steps ({} s)"_sentence;
 inline constexpr auto kDiffers = "differs from step {} on ({} s)"_sentence;
 
+// swage pull
+inline constexpr auto kPulledKnot = "knot {} in \"{}\", loop {}, friction {}"_sentence;
+inline constexpr auto kKnotHolds = "holds {}; slip {}"_sentence;
+inline constexpr auto kKnotSlips = "gives way: it has borne {}; slip {}"_sentence;
+inline constexpr auto kKnotBroke = "the thread parts: it has borne {}; slip {}"_sentence;
+inline constexpr auto kNoSuchMoment = "The attempt ends at {} s."_sentence;
+
 // swage calibrate: the command line; messages of sensors and fits are in sensor/sentences.hpp
 inline constexpr auto kSayWho = "Say who calibrates, with --by."_sentence;
 inline constexpr auto kWhoseTable = "Say whose table this is: the sensor's serial number with --serial."_sentence;

@@ -45,6 +45,17 @@ struct ReplayOptions {
 };
 int replay(const ReplayOptions&);
 
+struct PullVerbOptions {
+  std::string what;  // as in ReplayOptions, without "all"
+  std::string store;
+  std::vector<std::string> plugin_dirs;
+  double at_s = -1;     // simulated, moment of the attempt; below 0: its end
+  double load = 0.1;    // N, that the knot is to bear
+  double friction = 0;  // of the thread on itself; 0: as in the attempt
+  bool json = false;
+};
+int pull(const PullVerbOptions&);
+
 struct ValidateOptions {
   std::vector<std::string> paths;  // bundles, libraries and lesson files
   std::vector<std::string> plugin_dirs;

@@ -48,6 +48,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.lesson.fault", "lessons/fault/fault.md"},
     {"swage.lesson.knot", "lessons/knot/knot.md"},
     {"swage.lesson.pass", "lessons/pass/pass.md"},
+    {"swage.lesson.pull", "lessons/pull/pull.md"},
     {"swage.lesson.ring", "lessons/ring/ring.md"},
     {"swage.lesson.look", "lessons/look/look.md"},
 };

@@ -4,12 +4,13 @@
 // off by random distances, and prints how each attempt ended and what share of them passed. No test: a tool for whoever writes a plan.
 //
 //   knot_trials LESSON HAND [--seeds N] [--first SEED] [--off UM] [--max S] [--set OBJECT.PARAMETER=VALUE] [--log S] [--plans FOLDER]
-//               [--pull FRICTION] [--nodes FILE] [--shape FILE S...]
+//               [--pull FRICTION] [--copy FILE] [--nodes FILE] [--shape FILE S...]
 //
 //   --off    root mean square of the error [um] of each coordinate of each "at" and "by" of the plans, drawn anew for each attempt
 //   --log    a line each so many simulated seconds: tips, turns, the knot that is foretold and the one that is tied, tensions, gap
 //   --plans  a folder with holder.json and winder.json, in the place of the hand's plans
-//   --pull   what is tied at the end is cut free and pulled to 0.1 N with that friction of the thread on itself (pulled_knot.hpp); again for more
+//   --pull   what is tied at the end is copied and pulled to 0.1 N with that friction of the thread on itself (pulled_knot.hpp); again for more
+//   --copy   the settings of lesson 139 with which the last of them was pulled, a line each
 //   --nodes  the places of the thread at the end of the last attempt, "x y z" a line [m]: what a reader of knots can be tried with.
 //            With --log also at each of its lines, to FILE and "." and the time in seconds
 //   --shape  a picture (SVG, three views) of thread and instruments at the times that follow
@@ -43,7 +44,7 @@ using toolkit::Vec3;
 constexpr double kShaft = 40e-3;  // m, of an instrument: far outside of all throws
 
 struct Options {
-  std::string lesson, hand, shape, plans, nodes;
+  std::string lesson, hand, shape, plans, nodes, copy;
   int seeds = 1;
   uint64_t first = 0;
   double off = 0, max_s = 240, log_s = 0;  // m, s, s
@@ -187,15 +188,6 @@ void take_plans(assembly::LessonFile& file, const Options& o) {
     }
 }
 
-/// Length and number of segments of the lesson's thread.
-std::string thread_of(const LessonRun& run) {
-  const scene::ChainView chain(run.world(), run.world().chain[0]);
-  const uint32_t segments = chain.vertices() - 1;
-  char text[160];
-  std::snprintf(text, sizeof text, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "%.9f m", "segments": %u)", chain.s(segments), segments);
-  return text;
-}
-
 void put_off(assembly::LessonFile& file, const Options& o, uint64_t seed) {
   base::Xoshiro256 random(977 * seed + 1);
   const std::filesystem::path folder = std::filesystem::absolute(o.lesson).parent_path();
@@ -263,8 +255,11 @@ bool try_it(const Options& o, uint64_t seed) {
   std::fflush(stdout);
   if (!o.nodes.empty()) write_nodes(run, o.nodes);
   for (const double friction : o.frictions) {
-    const PulledKnot pulled = pull_apart(run, thread_of(run), friction, 0.1);
-    std::printf("  pulled with friction %.2f: bears %.1f mN, opens %.2f mm %s\n", friction, 1e3 * pulled.bears, 1e3 * pulled.opens, pulled.trouble.c_str());
+    const PulledKnot pulled = pull_apart(run, friction, 0.1);
+    std::printf("  pulled with friction %.2f: %s, bears %.1f mN, slips %.2f mm %s%s\n", friction, pulled.copy.word.c_str(), 1e3 * pulled.bears, 1e3 * pulled.slip,
+                pulled.problems.c_str(), pulled.health.c_str());
+    if (std::ofstream file(o.copy); file)
+      for (const std::string& setting : pulled.copy.settings) file << setting << "\n";
     std::fflush(stdout);
   }
   return run.outcome() == "passed";
@@ -284,6 +279,7 @@ Options options(int argc, char** argv) {
     else if (key == "--set") o.settings.emplace_back(value);
     else if (key == "--plans") o.plans = value;
     else if (key == "--nodes") o.nodes = value;
+    else if (key == "--copy") o.copy = value;
     else if (key == "--pull") o.frictions.push_back(std::strtod(value, nullptr));
     else if (key == "--shape") {
       o.shape = value;
