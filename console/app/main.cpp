@@ -13,8 +13,10 @@
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
+#include "console/models/lessons_model.hpp"
 #include "record/address.hpp"
 #include "session/bounded_call.hpp"
+#include "session/knot_copy.hpp"
 
 using namespace swage;
 
@@ -54,7 +56,7 @@ console::Services services_of(const session::Options& options) {
   };
   services.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
                                                    base::Problems& problems) {
-    return console::open_session_player(recording, dirs, problems);
+    return console::open_session_player(recording, dirs, console::lesson_file(session::kPullLesson).toStdString(), problems);
   };
   services.open_file = [](const std::string& file, std::string& error) {
     return record::Store::open_to_read(file, error);

@@ -3,24 +3,58 @@
 
 #include <utility>
 
+#include "console/models/qt_text.hpp"
+#include "session/knot_pull.hpp"
 #include "session/playback.hpp"
 #include "session/rehearsal.hpp"
 
 namespace swage::console {
 namespace {
 
+class SessionPuller final : public KnotPuller {
+ public:
+  SessionPuller(session::KnotCopy copy, double friction, std::unique_ptr<session::Rehearsal> pull)
+      : copy_(std::move(copy)), friction_(friction > 0 ? friction : copy_.friction), pull_(std::move(pull)) {}
+  const snapshot::SceneCard& card() const override { return pull_->card(); }
+  PulledKnot knot() const override { return {qt(copy_.word), copy_.loop, friction_}; }
+  bool step(uint64_t most) override {
+    for (uint64_t n = 0; n < most; ++n)
+      if (!pull_->step()) return false;
+    return true;
+  }
+  PullState state() const override {
+    const session::Pulled now = session::pulled(*pull_);
+    return {now.over, now.holds, now.reason == "failed.broke", now.bears, now.slip, qt(now.health)};
+  }
+  void fill(snapshot::Snapshot& out) const override { pull_->fill(out); }
+
+ private:
+  const session::KnotCopy copy_;
+  const double friction_;
+  std::unique_ptr<session::Rehearsal> pull_;
+};
+
 class SessionPlayer final : public Player {
  public:
-  explicit SessionPlayer(std::unique_ptr<session::Playback> playback) : playback_(std::move(playback)) {}
+  SessionPlayer(std::unique_ptr<session::Playback> playback, std::vector<std::string> plugin_dirs, std::string pull_lesson)
+      : playback_(std::move(playback)), plugin_dirs_(std::move(plugin_dirs)), pull_lesson_(std::move(pull_lesson)) {}
   const snapshot::SceneCard& card() const override { return playback_->card(); }
   uint64_t at() const override { return playback_->at(); }
   uint64_t count() const override { return playback_->count(); }
   bool toward(uint64_t target, uint64_t most) override { return playback_->toward(target, most); }
   void fill(snapshot::Snapshot& out) const override { playback_->fill(out); }
   uint64_t first_difference() const override { return playback_->first_difference(); }
+  std::unique_ptr<KnotPuller> pull_knot(const PullWish& wish, base::Problems& problems) override {
+    session::KnotCopy copy;
+    if (!session::copy_knot(playback_->rig(), playback_->engine().world(), copy, problems)) return nullptr;
+    auto pull = session::open_pull(copy, {pull_lesson_, plugin_dirs_, wish.load_N, wish.friction}, problems);
+    return pull ? std::make_unique<SessionPuller>(std::move(copy), wish.friction, std::move(pull)) : nullptr;
+  }
 
  private:
   std::unique_ptr<session::Playback> playback_;
+  const std::vector<std::string> plugin_dirs_;
+  const std::string pull_lesson_;
 };
 
 class SessionExpert final : public Player {
@@ -47,11 +81,10 @@ std::unique_ptr<Player> open_session_expert(const session::Options& options, bas
   return rehearsal ? std::make_unique<SessionExpert>(std::move(rehearsal)) : nullptr;
 }
 
-std::unique_ptr<Player> open_session_player(const record::Recording& recording,
-                                            const std::vector<std::string>& plugin_dirs,
-                                            base::Problems& problems) {
+std::unique_ptr<Player> open_session_player(const record::Recording& recording, const std::vector<std::string>& plugin_dirs,
+                                            const std::string& pull_lesson, base::Problems& problems) {
   auto playback = session::Playback::open(recording, plugin_dirs, problems);
-  return playback ? std::make_unique<SessionPlayer>(std::move(playback)) : nullptr;
+  return playback ? std::make_unique<SessionPlayer>(std::move(playback), plugin_dirs, pull_lesson) : nullptr;
 }
 
 }  // namespace swage::console

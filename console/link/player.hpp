@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/problem.hpp"
+#include "console/link/knot_puller.hpp"
 #include "record/recorder.hpp"
 #include "record/store.hpp"
 #include "snapshot/scene_card.hpp"
@@ -27,6 +28,8 @@ class Player {
   virtual void fill(snapshot::Snapshot& out) const = 0;
   /// First step whose state differs from the recorded attempt's; count() while all are equal bit for bit.
   virtual uint64_t first_difference() const = 0;
+  /// Copies the knot as it is at this step into the pull test. nullptr, and why in `problems`, where there is none that can be pulled.
+  virtual std::unique_ptr<KnotPuller> pull_knot(const PullWish&, base::Problems&) { return nullptr; }
 };
 
 /// Reads the recording of an attempt. On failure false, and `error` as a sentence.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/link/reviewed_attempt.hpp"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <cmath>
 
@@ -21,6 +23,11 @@ ReviewedAttempt::~ReviewedAttempt() { player_.reset(); }
 void ReviewedAttempt::set_file_services(FileOpener open, FileReader read) {
   open_file_ = std::move(open);
   read_file_ = std::move(read);
+}
+
+bool ReviewedAttempt::has_knot() const {
+  const auto& signals = recording_.info.script.signals;
+  return std::any_of(signals.begin(), signals.end(), [](const judge::Name& name) { return name.id == "knot.throws"; });
 }
 
 void ReviewedAttempt::close() {

@@ -47,6 +47,8 @@ class ReviewedAttempt {
   Player* player() const { return player_.get(); }  // nullptr where the scene cannot be built
   /// Why there is no player, as the host says it; "" where there is one.
   const QString& why_no_player() const { return no_player_; }
+  /// Its lesson reads the knot of a thread, so that a copy of it can be pulled.
+  bool has_knot() const;
 
   bool from_store() const { return from_store_; }
   record::Store* store() const { return store_.get(); }

@@ -63,6 +63,12 @@ QStringList lesson_folders() {
   return folders;
 }
 
+QString lesson_file(const QString& name) {
+  for (const QString& folder : lesson_folders())
+    if (QDirIterator it(folder, {name}, QDir::Files, QDirIterator::Subdirectories); it.hasNext()) return it.next();
+  return {};
+}
+
 void LessonsModel::set_folders(const QStringList& folders) {
   beginResetModel();
   entries_.clear();

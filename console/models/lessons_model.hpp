@@ -25,6 +25,9 @@ LessonEntry read_lesson(const QString& path);
 /// the source tree that the program was built in.
 QStringList lesson_folders();
 
+/// Path of the first lesson file of this name in these folders or below them, "" where there is none.
+QString lesson_file(const QString& name);
+
 /// The lessons of several folders, in the order of their file names.
 class LessonsModel : public QAbstractListModel {
   Q_OBJECT

@@ -6,8 +6,11 @@
 #include <QInputDialog>
 #include <QVBoxLayout>
 
+#include "console/models/qt_text.hpp"
+#include "console/models/words.hpp"
 #include "console/pages/attempt_chooser.hpp"
 #include "console/pages/comparison.hpp"
+#include "console/pages/pull_dialog.hpp"
 #include "console/pages/review_tables.hpp"
 #include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
@@ -97,6 +100,7 @@ void ReviewPage::add_keys() {
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
   key(tr("Next worst moment"), Qt::Key_W, [this] { side_->next_worst(); });
   key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
+  key(tr("Pull the knot"), Qt::Key_K, [this] { ask_pull(); });
   // the timeline handles these two itself
   timeline_->removeAction(key(tr("Next event"), Qt::Key_Period, [this] { timeline_->go_to_moment(+1); }));
   timeline_->removeAction(key(tr("Event before"), Qt::Key_Comma, [this] { timeline_->go_to_moment(-1); }));
@@ -168,6 +172,7 @@ QWidget* ReviewPage::make_head() {
   note_button_ = add(tr("Note…"), "review_note_button", tr("Write a note at the cursor (N)"), [this] { ask_note(); });
   compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
                  [this] { ask_compare(); });
+  pull_ = add(tr("Pull the knot…"), "review_pull", tr("Does the knot hold, as it is at the cursor? A copy of it is pulled (K)"), [this] { ask_pull(); });
   row->addSpacing(8);
   exports_ = new AttemptExports(attempt_, box);
   connect(exports_, &AttemptExports::told, this, &ReviewPage::show_note);
@@ -252,6 +257,7 @@ void ReviewPage::show_review() {
   transport_->set_length(review().length_s);
   note_button_->setVisible(attempt_.can_note());
   compare_->setVisible(attempt_.from_store());
+  pull_->setVisible(player() && attempt_.has_knot());
   side_->worst()->start_again();
   timeline_->set_review(&attempt_.review(), &attempt_.recording());
   fill_side();
@@ -307,6 +313,26 @@ void ReviewPage::ask_compare() {
   if (!attempt_.from_store() || !attempt_.is_open()) return;
   AttemptChooser dialog(attempt_.store()->attempts("", review().attempt.lesson_id), review().attempt.id, this);
   if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty()) compare(dialog.chosen());
+}
+
+// of the moment that the picture shows
+void ReviewPage::ask_pull() {
+  if (!pull_->isVisible()) return;
+  if (playing()) toggle_play();
+  if (playback_.moving()) return show_note(tr("▲ The picture is not yet at the cursor: pull the knot when it is."));
+  const double at_s = playback_.wanted_s();
+  PullDialog::Services services;
+  services.open = [this](const PullWish& wish, QString& why) {
+    base::Problems problems;
+    auto puller = attempt_.player()->pull_knot(wish, problems);
+    why = puller ? QString() : problems.empty() ? tr("This attempt has no knot.") : qt(problems.back().message);
+    return puller;
+  };
+  if (attempt_.can_note()) services.keep = [this, at_s](const QString& text) { return attempt_.add_note(text, at_s); };
+  services.dress = [this](SceneView& view) { pictures_->set_colours(view); };
+  PullDialog dialog(std::move(services), at_s, this);
+  if (!dialog.pull()) return show_note(tr("▲ At %1: %2 Go to where it is tied, such as the end.").arg(clock_text(at_s), dialog.why()));
+  dialog.exec();
 }
 
 bool ReviewPage::compare(const QString& attempt_id) {

@@ -61,6 +61,7 @@ class ReviewPage : public QWidget {
   void toggle_play() { playback_.toggle(); }
   void ask_note();
   void ask_compare();
+  void ask_pull();
   void end_comparison() { pictures_->end_comparison(); }
 
  protected:
@@ -100,7 +101,7 @@ class ReviewPage : public QWidget {
   ReviewSide* side_ = nullptr;
   Timeline* timeline_ = nullptr;
   AttemptExports* exports_ = nullptr;
-  QPushButton *note_button_ = nullptr, *compare_ = nullptr;
+  QPushButton *note_button_ = nullptr, *compare_ = nullptr, *pull_ = nullptr;
 };
 
 }  // namespace swage::console

@@ -23,6 +23,8 @@ class ReviewPictures : public QWidget {
   ReviewPictures(const ReviewedAttempt& attempt, QWidget* parent);
   ~ReviewPictures() override;
   void set_themes(const UiTheme& ui, const CueTheme& cues);
+  /// Gives another view the colours of these pictures.
+  void set_colours(SceneView& view) const { view.set_themes(ui_, cues_); }
   /// Shows the scene of the attempt that was opened, if it has one.
   void show_scene();
   /// Plays all scenes towards a time of the attempt, by at most `most` steps each, and shows them; true when they are there. `wanted_s`: the cursor.

@@ -25,7 +25,7 @@ struct KnotCopy {
   std::vector<std::string> settings;  // of lesson 139 (Options::settings)
 };
 
-/// Where the pins of lesson 139 are and how thick they are: change both together.
+/// Where the pins of lesson 139 are in the frame of its thread, on x, and how thick they are: as in the lesson.
 inline constexpr double kPinRadius = 0.15e-3, kPinPlace = 0.25e-3;  // m; from the middle between the pins, m
 
 /// Copies the knot with the most throws of all threads of the scene. False, and a sentence in `problems`, where none has a knot that can be read, or

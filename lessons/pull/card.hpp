@@ -8,24 +8,26 @@
 namespace swage::lesson_pull {
 
 /// Order of kMetrics.
-enum class Measure : size_t { kSuccess, kBears, kSlip, kCount };
+enum class Measure : size_t { kSuccess, kBears, kSlip, kOpens, kCount };
 
 // clang-format off
 inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskSuccess,
     {"pull.bears", "N", "Greatest tension that the loop has borne.", "max of the tension in the middle of the loop", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_D},
-    {"pull.slip", "m", "Thread that has gone through the knot into its loop, from both sides together.", "max of the distance of the material at from and to, over that at the start", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"pull.slip", "m", "Thread that has gone through the knot into its loop, from both sides together.", "max of the distance of the material at from and to, over that at the preload", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"pull.opens", "m", "By how much the loop has opened, its stretch and straightened bends included.", "2 (way of the pin since the preload)", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
 };
 
 inline constexpr swage_metric_label kLabels[] = {
     lessons::kTaskSuccessLabel,
     lessons::label("pull.bears", "Tension borne", SWAGE_SHOW_QUANTITY, 1, "load"),
     lessons::label("pull.slip", "Slip", SWAGE_SHOW_QUANTITY, 2, nullptr, "most_slip"),
+    lessons::label("pull.opens", "Opening", SWAGE_SHOW_QUANTITY, 3, nullptr, "most_opening"),
 };
 
 inline constexpr swage_criterion kCriteria[] = {
     {"The knot is to bear {load}.", nullptr, SWAGE_CRITERION_PASS, 0},
-    {"A knot that slips by more than {most_slip} has given way.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    {"A knot that slips by more than {most_slip} has given way, and one whose loop opens by more than {most_opening}.", nullptr, SWAGE_CRITERION_LIMIT, 0},
     lessons::kMaxTime,
 };
 

@@ -86,7 +86,8 @@ TEST(KnotPull, CopiesDoWhatTheirNamesSay) {
     EXPECT_EQ(pulled.copy.friction, 0.4);
     EXPECT_EQ(pulled.holds, shape == 1);
     if (shape == 1) continue;
-    EXPECT_EQ(pulled.reason, "failed.slipped");
+    // the strands of a sliding knot run through before its loop bears the preload
+    EXPECT_EQ(pulled.reason, shape == 3 ? "failed.out_of_time" : "failed.slipped");
     EXPECT_LT(pulled.bears, kBetween);
   }
 }
