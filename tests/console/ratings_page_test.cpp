@@ -10,6 +10,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "console/app/language.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/rating_panel.hpp"
@@ -90,6 +91,19 @@ TEST_F(RatingPages, AScaleSaysThatItIsComputedAndOfHowManyItems) {
   const console::RatedScale& smart = *std::find_if(review()->review().scales.begin(), review()->review().scales.end(),
                                                    [](const console::RatedScale& s) { return s.id == "smart"; });
   EXPECT_TRUE(smart.source.contains("from memory")) << "the source is told as the scale's file has it";
+}
+
+// what a scale assumes is told in the reader's language, only the citation stays
+TEST(GermanRatings, TellTheirSourceInGerman) {
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  const QVector<console::RatedScale> scales = console::rated_scales("passed", {}, {});
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+  ASSERT_FALSE(scales.isEmpty());
+  for (const console::RatedScale& scale : scales) {
+    EXPECT_TRUE(scale.source.contains("angenommen")) << scale.source.toStdString();
+    EXPECT_FALSE(scale.source.contains("assumed")) << scale.source.toStdString();
+  }
 }
 
 TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
