@@ -4400,6 +4400,10 @@ Bea L., Frühjahr, links</translation>
         <source>F11: look from the side, where keys go along the needle</source>
         <translation>F11: von der Seite sehen, wo die Tasten der Nadel folgen</translation>
     </message>
+    <message>
+        <source>F11, %1 times: look from the side, where keys go along the needle</source>
+        <translation>F11, %1-mal: von der Seite sehen, wo die Tasten der Nadel folgen</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneView</name>
@@ -5640,8 +5644,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den der Trainee nicht sieht</translation>
     </message>
     <message>
-        <source>%1 view (F11: the next view)</source>
-        <translation>Ansicht: %1 (F11: die nächste)</translation>
+        <source>%1 view; F11 goes on from %2 to %3</source>
+        <translation>Ansicht %1; F11 geht von %2 weiter zu %3</translation>
     </message>
 </context>
 <context>
