@@ -3155,6 +3155,21 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::NumberBox</name>
+    <message>
+        <source>“%1” is no value here: as before, %2.</source>
+        <translation>„%1“ ist hier kein Wert: wie zuvor, %2.</translation>
+    </message>
+    <message>
+        <source>At most %1, not %2.</source>
+        <translation>Höchstens %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>At least %1, not %2.</source>
+        <translation>Mindestens %1, nicht %2.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::OrderDialog</name>
     <message>
         <source>This test is not open yet</source>
@@ -5579,6 +5594,18 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>So are parts.</source>
         <translation>Ebenso Teile.</translation>
+    </message>
+    <message>
+        <source>Leave without saving? What you changed here is not kept.</source>
+        <translation>Ohne Speichern verlassen? Was Sie hier geändert haben, bleibt nicht.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Go on editing</source>
+        <translation>Weiter bearbeiten</translation>
     </message>
 </context>
 <context>
