@@ -1223,6 +1223,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>recorded hand: %1</source>
         <translation>aufgezeichnete Hand: %1</translation>
     </message>
+    <message>
+        <source>Attempts at this lesson, of everybody: those at another lesson have nothing to be compared.</source>
+        <translation>Versuche an dieser Lektion, von allen: die an einer anderen haben nichts zu vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::AttemptExports</name>
@@ -1700,8 +1704,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Right: %1, %2: %3</source>
-        <translation>Rechts: %1, %2: %3</translation>
+        <source>Right: %1: %2, %3</source>
+        <translation>Rechts: %1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -4014,10 +4018,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Der Versuch, nachgespielt</translation>
     </message>
     <message>
-        <source>%1, on the way to %2</source>
-        <translation>%1, unterwegs nach %2</translation>
-    </message>
-    <message>
         <source>Replay: %1</source>
         <translation>Wiedergabe: %1</translation>
     </message>
@@ -6112,6 +6112,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
+    </message>
+    <message>
+        <source>%1, on the way to %2</source>
+        <translation>%1, unterwegs nach %2</translation>
     </message>
 </context>
 </TS>

@@ -231,13 +231,25 @@ TEST_F(RatingPages, ARatingLeavesTheComparison) {
   open_attempt(first);
   ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
   ASSERT_TRUE(review()->timeline()->has_other());
-  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P., ")) << child<QLabel>("other_title")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P.: ")) << child<QLabel>("other_title")->text().toStdString();
   EXPECT_EQ(review()->comparison()->ghost_name(), "Other attempt") << "the same person";
   const std::string item = review()->review().scales[0].items[0].id;
   ASSERT_TRUE(window->desk()->rate(first, item, 3));
   EXPECT_EQ(kept(first).size(), 1u);
   EXPECT_TRUE(review()->comparing());
   EXPECT_TRUE(review()->timeline()->has_other());
+}
+
+// Either picture says that it is not yet where the cursor is.
+TEST_F(RatingPages, BothPicturesSayThatTheyAreOnTheWay) {
+  recorded_steps = 60'000;
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  review()->go(50);
+  ASSERT_TRUE(eventually([&] { return review()->view()->words().clock.contains("on the way to 00:50"); }));
+  EXPECT_TRUE(eventually([&] { return review()->comparison()->view()->words().clock.contains("on the way to"); }))
+      << review()->comparison()->view()->words().clock.toStdString();
 }
 
 }  // namespace
