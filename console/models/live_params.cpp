@@ -187,7 +187,7 @@ QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::S
   const assembly::LessonFile lesson = read(lesson_path);
   std::vector<Use> all = uses(lesson, in_session(lesson, card.objects));
   for (const Use& device : in_session(lesson, card.devices)) all.push_back(device);
-  return collect(lesson, all, catalogue, [](const host::Param& p) { return p.live(); });
+  return collect(lesson, all, catalogue, [](const host::Param& p) { return p.live() && !p.hidden(); });
 }
 
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue) {

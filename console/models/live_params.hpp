@@ -46,7 +46,8 @@ struct LiveParam {
   std::string json(const std::array<double, 4>& value) const;
 };
 
-/// Order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's defaults.
+/// What may be changed during an attempt, but for hidden parameters, as of a circle that the window tells itself. Order of the scene: objects,
+/// couplings, devices, lesson. Values are those of the file, else the table's defaults.
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue);
 /// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson derived from this one. The lesson

@@ -74,7 +74,7 @@ QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metr
     mean.doc = QObject::tr("Computed from metrics; %1 of %2 items. Items not decided by the program are not counted. Source: %3")
                    .arg(rating.decided)
                    .arg(scale.items.size())
-                   .arg(QString::fromStdString(scale.source));
+                   .arg(in_words(scale.source));
     out += mean;
     for (size_t i = 0; i < scale.items.size(); ++i) {
       if (!rating.item[i]) continue;
@@ -117,7 +117,7 @@ QVector<RatedScale> rated_scales(const std::string& outcome, judge::Metrics metr
     RatedScale one;
     one.id = scale.id;
     one.title = in_words(scale.title);
-    one.source = QString::fromStdString(scale.source);
+    one.source = in_words(scale.source);
     one.lowest = scale.lowest;
     one.highest = scale.highest;
     one.failed = outcome == "failed";

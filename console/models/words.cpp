@@ -84,6 +84,12 @@ QString clock_text(double seconds) {
   return QStringLiteral("%1:%2").arg(s / 60, 2, 10, QLatin1Char('0')).arg(s % 60, 2, 10, QLatin1Char('0'));
 }
 
+QString replay_clock(double shown_s, double wanted_s) {
+  constexpr double kBehind_s = 1;
+  const QString clock = clock_text(shown_s);
+  return std::abs(wanted_s - shown_s) > kBehind_s ? ValueWords::tr("%1, on the way to %2").arg(clock, clock_text(wanted_s)) : clock;
+}
+
 QString person_text(const QString& name) { return name == QLatin1String(record::kGuest) ? QObject::tr("Guest") : name; }
 
 QString verdict_text(const QString& outcome) {

@@ -24,6 +24,8 @@ QString display_unit(const QString& unit);
 double nice_end(double value);
 /// 62.4 -> "01:02".
 QString clock_text(double seconds);
+/// The clock over a replayed picture: where it is, and where it is going while a large jump takes seconds to compute.
+QString replay_clock(double shown_s, double wanted_s);
 /// A person's name; the stored name "Guest", the same in every language, is translated.
 QString person_text(const QString& name);
 /// "passed" -> "Passed", "failed" -> "Not passed", "void" -> "Void", "aborted" -> "Stopped".

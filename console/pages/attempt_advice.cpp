@@ -33,11 +33,12 @@ void AttemptAdvice::use(const QString& control) {
   if (control == QLatin1String("open")) closed_ = false;
 }
 
-ControlHints AttemptAdvice::hints(bool test, bool drives) const {
+ControlHints AttemptAdvice::hints(bool test, bool drives, CameraPreset view) const {
   const auto wanted = [&](const char* what) { return !used_.contains(QLatin1String(what)); };
   // jaws stay closed when the key is released: who has closed them on nothing is told how to open them
   const bool open = (closed_ && !holds_) || (!test && misplaced_);
-  return {wanted("drag"), wanted("close"), drives && holds_ && near_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_), drives && wanted("side")};
+  return {wanted("drag"), wanted("close"), drives && holds_ && near_ && wanted("drive"), open && wanted("open"), !test && (dropped_ || bent_),
+          drives && wanted("side") ? steps_between(view, CameraPreset::kSide) : 0};
 }
 
 }  // namespace swage::console

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "console/models/reading.hpp"
+#include "console/view3d/camera.hpp"
 #include "console/view3d/scene_input.hpp"
 
 namespace swage::console {
@@ -30,8 +31,8 @@ class AttemptAdvice {
   void set_used(const QString& used) { used_ = used; }
   void use(const QString& control);
   const QString& used() const { return used_; }
-  /// The hints needed now. `test`: without those that reveal an answer; `drives`: an object can be pierced.
-  ControlHints hints(bool test, bool drives) const;
+  /// The hints needed now. `test`: without those that reveal an answer; `drives`: an object can be pierced; `view`: the present one.
+  ControlHints hints(bool test, bool drives, CameraPreset view = CameraPreset::kOrbit) const;
 
  private:
   QString used_;

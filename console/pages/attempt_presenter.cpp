@@ -87,18 +87,18 @@ void AttemptPresenter::set_themes(const UiTheme& ui, const CueTheme& cues) {
 }
 
 void AttemptPresenter::look(CameraPreset preset) {
-  preset_ = preset;
+  set_next_look(preset);
   for (SceneView* view : views_) view->look(preset);
-  if (preset != CameraPreset::kSide) return;
-  advice_.use(QStringLiteral("side"));
+  if (preset == CameraPreset::kSide) advice_.use(QStringLiteral("side"));
   update_hints();
 }
 
-void AttemptPresenter::look_next() {
-  constexpr CameraPreset kOrder[] = {CameraPreset::kOrbit, CameraPreset::kSide, CameraPreset::kTop, CameraPreset::kNear};
-  const auto* now = std::find(std::begin(kOrder), std::end(kOrder), preset_);
-  look(kOrder[(now - std::begin(kOrder) + 1) % std::size(kOrder)]);
+void AttemptPresenter::set_next_look(CameraPreset preset) {
+  preset_ = preset;
+  parts_.bar->show_view(preset);
 }
+
+void AttemptPresenter::look_next() { look(view_after(preset_)); }
 
 void AttemptPresenter::set_scene(const Panels& p) {
   const std::string lesson = parts_.setup->lesson().toStdString();
@@ -287,8 +287,7 @@ void AttemptPresenter::set_used_controls(const QString& used) {
 void AttemptPresenter::update_hints() {
   ControlHints hints;
   if (control_->running() && hand_.is_led())
-    hints = advice_.hints(is_test(), std::any_of(card_.objects.begin(), card_.objects.end(), can_be_pierced));
-  hints.side &= preset_ != CameraPreset::kSide;
+    hints = advice_.hints(is_test(), std::any_of(card_.objects.begin(), card_.objects.end(), can_be_pierced), preset_);
   for (SceneView* view : views_) view->set_control_hints(hints);
 }
 

@@ -58,7 +58,7 @@ class AttemptPresenter : public QObject {
   /// Goes on from view to view, in the order of their buttons.
   void look_next();
   /// Sets the preset of the next scene; the present pictures are not changed.
-  void set_next_look(CameraPreset preset) { preset_ = preset; }
+  void set_next_look(CameraPreset preset);
 
   /// Shows the scene of the chosen lesson, or of the attempt that begins; `asked`: the lesson's criteria.
   void show_card(const snapshot::SceneCard& card, const Criteria& asked);

@@ -95,8 +95,8 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
   const bool same = row.person_id == first.attempt.person_id;
   ghost_name_ = !review_.hand.isEmpty() ? review_.hand : same ? tr("Other attempt") : person;
   const QString who = review_.hand.isEmpty() ? person : tr("%1, %2").arg(person, review_.hand);
-  // the row stands above both pictures
-  title_->setText(tr("Right: %1, %2: %3").arg(who, when_text(QString::fromStdString(row.started_utc)), review_.verdict()));
+  // the row stands above both pictures; where it has no room for all, the date goes first
+  title_->setText(tr("Right: %1: %2, %3").arg(who, review_.verdict(), when_text(QString::fromStdString(row.started_utc))));
   problem_->setVisible(!player_);
   if (player_) {
     view_->set_card(player_->card(), CameraPreset::kOrbit);
@@ -127,7 +127,7 @@ bool Comparison::toward(double first_s, uint64_t most) {
   const bool there = player_->toward(static_cast<uint64_t>(std::llround(at / review_.dt_s)), most);
   player_->fill(*snapshot_);
   view_->show_snapshot(*snapshot_);
-  view_->set_texts(clock_text(snapshot_->time_s), {});
+  view_->set_texts(replay_clock(snapshot_->time_s, at), {});
   return there;
 }
 

@@ -85,10 +85,7 @@ void ReviewPictures::show_player(double wanted_s) {
   player.fill(*snapshot_);
   const Reading reading = reading_.read(*snapshot_);
   Q_EMIT cues_on(reading.meanings);
-  QString clock = clock_text(snapshot_->time_s);
-  // a large jump takes seconds to compute
-  constexpr double kBehind_s = 1;
-  if (std::abs(wanted_s - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s));
+  QString clock = replay_clock(snapshot_->time_s, wanted_s);
   if (!reading.phase.isEmpty()) clock = QStringLiteral("%1  %2").arg(said(reading.phase), clock);
   for (SceneView* view : views_) {
     view->show_snapshot(*snapshot_);

@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QMessageBox>
 #include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -130,6 +131,10 @@ QWidget* VariantDialog::make_values() {
   connect(form_, &LiveForm::changed, this, [this](const QString& part, const QString& json) {
     draft_.set_values(form_->changes(), part + json.section(QLatin1Char(':'), 0, 0));
   });
+  connect(form_, &LiveForm::refused, this, [this](const QString& words) {
+    refused_ = words;
+    update_state();
+  });
   return card.frame;
 }
 
@@ -201,6 +206,7 @@ void VariantDialog::preset(const QVector<LiveForm::Change>& values) {
 
 void VariantDialog::show_edit(bool structure, bool by_undo) {
   if (!save_) return;
+  refused_.clear();
   QString problem = draft_.write();
   if (structure && problem.isEmpty()) {
     const QString starts = draft_.file() + QStringLiteral(".parts");
@@ -253,10 +259,13 @@ void VariantDialog::build() {
   update_state();
 }
 
-// "Grip force: the first number is ...": a location ".../params/force" becomes the title of that parameter in the form.
+// "Grip force: the first number is ...": a location ".../params/force", or "/set/lesson.force" of a lesson that changes another, becomes the
+// title of that parameter in the form.
 QString VariantDialog::fault_words(const base::Problem& problem) const {
-  const QString id = QString::fromStdString(problem.where).section(QStringLiteral("/params/"), 1).section(QLatin1Char('/'), 0, 0);
-  const QString name = id.isEmpty() ? QString() : form_->title_of(id.toStdString());
+  const QString where = QString::fromStdString(problem.where);
+  const QString set = where.section(QStringLiteral("/set/"), 1).section(QLatin1Char('/'), 0, 0);
+  const QString id = set.isEmpty() ? where.section(QStringLiteral("/params/"), 1).section(QLatin1Char('/'), 0, 0) : set.section(QLatin1Char('.'), 1);
+  const QString name = id.isEmpty() ? QString() : form_->title_of(id.toStdString(), set.section(QLatin1Char('.'), 0, 0).toStdString());
   const QString words = said(problem.message);
   return name.isEmpty() || words.contains(name) ? words : QStringLiteral("%1: %2").arg(name, words);
 }
@@ -279,6 +288,7 @@ void VariantDialog::update_state() {
   if (changes > 0 && parts && named) text += QLatin1Char(' ') + tr("So are parts.");
   if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("Those of the last attempt are kept.");
   if (!told_.isEmpty()) text += QLatin1Char(' ') + told_;
+  if (!refused_.isEmpty()) text = refused_;
   problem_->setText(fault_.isEmpty() ? text : tr("▲ %1").arg(fault_));
 }
 
@@ -301,6 +311,19 @@ void VariantDialog::save() {
   if (problem.isEmpty()) return accept();
   fault_ = problem;
   update_state();
+}
+
+// Esc, Cancel or a closed window: what was changed is not lost without a question.
+void VariantDialog::reject() {
+  if (!draft_.changed()) return QDialog::reject();
+  QMessageBox box(QMessageBox::NoIcon, windowTitle(), tr("Leave without saving? What you changed here is not kept."), {}, this);
+  box.setObjectName(QStringLiteral("leave_unsaved"));
+  const QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
+  QPushButton* stay = box.addButton(tr("Go on editing"), QMessageBox::RejectRole);
+  box.setDefaultButton(stay);
+  box.setEscapeButton(stay);
+  box.exec();
+  if (box.clickedButton() == leave) QDialog::reject();
 }
 
 // ends the edit after Save or Cancel

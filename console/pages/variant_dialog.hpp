@@ -62,6 +62,7 @@ class VariantDialog : public QDialog {
   void update_state();
   void save();
   void done(int result) override;
+  void reject() override;
   QString write();  // "" or the error
 
   LessonEntry lesson_;
@@ -70,6 +71,7 @@ class VariantDialog : public QDialog {
   LessonDraft draft_;
   QString fault_;  // why the present draft cannot be built; "" when it can
   QString told_;
+  QString refused_;  // a number that the form did not take, until the next edit
   int preset_ = 0;
   bool to_try_ = false;
   QTimer build_timer_;

@@ -47,13 +47,20 @@ void ViewBar::add_presets() {
                  {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
   for (const auto& p : presets) {
     auto* button = make_button(p.text, {}, p.name, this);
-    button->setToolTip(tr("%1 view (F11: the next view)").arg(p.text));
     connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { Q_EMIT view_chosen(preset); });
     row_->addWidget(button);
     folding_ += button;
+    presets_[p.preset] = button;
   }
+  show_view(now_);
   // of this window alone: in the trainee's F11 fills the screen
   connect(new QShortcut(QKeySequence(Qt::Key_F11), this), &QShortcut::activated, this, &ViewBar::next_view_wanted);
+}
+
+void ViewBar::show_view(CameraPreset now) {
+  now_ = now;
+  const QString from = presets_[now]->text(), to = presets_[view_after(now)]->text();
+  for (QPushButton* button : presets_) button->setToolTip(tr("%1 view; F11 goes on from %2 to %3").arg(button->text(), from, to));
 }
 
 // a button that can be toggled
@@ -102,7 +109,9 @@ void ViewBar::add_menu() {
 void ViewBar::fill_menu(QMenu* menu) const {
   menu->clear();
   for (QPushButton* b : folding_) {
-    QAction* action = menu->addAction(b->accessibleName(), b, &QPushButton::click);
+    // the key is that of the window; the menu tells it where it leads to from the present view
+    const QString key = b == presets_[view_after(now_)] ? QStringLiteral("\tF11") : QString();
+    QAction* action = menu->addAction(b->accessibleName() + key, b, &QPushButton::click);
     action->setCheckable(b->isCheckable());
     action->setChecked(b->isChecked());
     action->setEnabled(b->isEnabled());

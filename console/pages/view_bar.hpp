@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QList>
+#include <QMap>
 #include <QMenu>
 #include <QPushButton>
 #include <QWidget>
@@ -23,6 +24,8 @@ class ViewBar : public QWidget {
   void set_title(const QString& title) { title_->setText(title); }
   /// `room`: px for title, buttons and sound together.
   void fold_to(int room);
+  /// Tells the present view: tooltips and menu say where F11 goes from there.
+  void show_view(CameraPreset now);
   bool cues_on() const { return cues_->isChecked(); }
   /// False in a test: neither cues nor forces nor details, which are answers as well.
   void set_cues_allowed(bool allowed);
@@ -57,6 +60,8 @@ class ViewBar : public QWidget {
 
   QHBoxLayout* row_;
   QLabel* title_ = nullptr;
+  QMap<CameraPreset, QPushButton*> presets_;
+  CameraPreset now_ = CameraPreset::kOrbit;
   QList<QPushButton*> folding_;  // buttons that move into the menu on a narrow page
   QPushButton *cues_ = nullptr, *insets_ = nullptr, *forces_ = nullptr, *detail_ = nullptr, *instructor_ = nullptr, *menu_ = nullptr;
   SoundControl* sound_ = nullptr;

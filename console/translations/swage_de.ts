@@ -1223,6 +1223,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>recorded hand: %1</source>
         <translation>aufgezeichnete Hand: %1</translation>
     </message>
+    <message>
+        <source>Attempts at this lesson, of everybody: those at another lesson have nothing to be compared.</source>
+        <translation>Versuche an dieser Lektion, von allen: die an einer anderen haben nichts zu vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::AttemptExports</name>
@@ -1700,8 +1704,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Right: %1, %2: %3</source>
-        <translation>Rechts: %1, %2: %3</translation>
+        <source>Right: %1: %2, %3</source>
+        <translation>Rechts: %1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -3155,6 +3159,21 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::NumberBox</name>
+    <message>
+        <source>“%1” is no value here: as before, %2.</source>
+        <translation>„%1“ ist hier kein Wert: wie zuvor, %2.</translation>
+    </message>
+    <message>
+        <source>At most %1, not %2.</source>
+        <translation>Höchstens %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>At least %1, not %2.</source>
+        <translation>Mindestens %1, nicht %2.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::OrderDialog</name>
     <message>
         <source>This test is not open yet</source>
@@ -3999,10 +4018,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Der Versuch, nachgespielt</translation>
     </message>
     <message>
-        <source>%1, on the way to %2</source>
-        <translation>%1, unterwegs nach %2</translation>
-    </message>
-    <message>
         <source>Replay: %1</source>
         <translation>Wiedergabe: %1</translation>
     </message>
@@ -4399,6 +4414,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>F11: look from the side, where keys go along the needle</source>
         <translation>F11: von der Seite sehen, wo die Tasten der Nadel folgen</translation>
+    </message>
+    <message>
+        <source>F11, %1 times: look from the side, where keys go along the needle</source>
+        <translation>F11, %1-mal: von der Seite sehen, wo die Tasten der Nadel folgen</translation>
     </message>
 </context>
 <context>
@@ -5576,6 +5595,18 @@ Alle 2 s wird es wieder versucht.</translation>
         <source>So are parts.</source>
         <translation>Ebenso Teile.</translation>
     </message>
+    <message>
+        <source>Leave without saving? What you changed here is not kept.</source>
+        <translation>Ohne Speichern verlassen? Was Sie hier geändert haben, bleibt nicht.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Go on editing</source>
+        <translation>Weiter bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::ViewBar</name>
@@ -5640,8 +5671,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster (F10); im Test auf einem Bildschirm, den der Trainee nicht sieht</translation>
     </message>
     <message>
-        <source>%1 view (F11: the next view)</source>
-        <translation>Ansicht: %1 (F11: die nächste)</translation>
+        <source>%1 view; F11 goes on from %2 to %3</source>
+        <translation>Ansicht %1; F11 geht von %2 weiter zu %3</translation>
     </message>
 </context>
 <context>
@@ -6081,6 +6112,10 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
+    </message>
+    <message>
+        <source>%1, on the way to %2</source>
+        <translation>%1, unterwegs nach %2</translation>
     </message>
 </context>
 </TS>

@@ -18,7 +18,18 @@ constexpr float kSpare = 0.85F;    // of the room available: below this share th
 constexpr float kNear = 0.7F;      // of the distance at which everything is framed
 constexpr float kDeg = 0.017453292F;
 
+int place_in_order(CameraPreset view) { return static_cast<int>(std::find(kViewOrder.begin(), kViewOrder.end(), view) - kViewOrder.begin()); }
+
 }  // namespace
+
+CameraPreset view_after(CameraPreset now, int steps) {
+  return kViewOrder[static_cast<size_t>(place_in_order(now) + steps) % kViewOrder.size()];
+}
+
+int steps_between(CameraPreset from, CameraPreset to) {
+  constexpr int n = static_cast<int>(kViewOrder.size());
+  return (place_in_order(to) - place_in_order(from) + n) % n;
+}
 
 void OrbitCamera::frame(const QVector3D& centre, float radius) {
   home_centre_ = centre;

@@ -5,10 +5,17 @@
 
 #include <QQuaternion>
 #include <QVector3D>
+#include <array>
 
 namespace swage::console {
 
 enum class CameraPreset { kOrbit, kSide, kTop, kNear };
+/// The views in the order in which F11 goes through them; after the last the first.
+inline constexpr std::array kViewOrder = {CameraPreset::kOrbit, CameraPreset::kSide, CameraPreset::kTop, CameraPreset::kNear};
+/// The view `steps` of F11 after this one.
+CameraPreset view_after(CameraPreset now, int steps = 1);
+/// How many steps of F11 lead from one view to another; 0 for the same one.
+int steps_between(CameraPreset from, CameraPreset to);
 
 /// Orbits a focus. Commands change the goal; the picture glides to it.
 class OrbitCamera {

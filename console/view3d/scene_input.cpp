@@ -54,7 +54,8 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   QStringList all;
   if (led) all += tr("Tab: the other instrument");
   if (hints_.put_back) all += tr("F7: put it back");
-  if (hints_.side) all += tr("F11: look from the side, where keys go along the needle");
+  if (hints_.side == 1) all += tr("F11: look from the side, where keys go along the needle");
+  if (hints_.side > 1) all += tr("F11, %1 times: look from the side, where keys go along the needle").arg(hints_.side);
   if (hints_.drag) all += tr("Drag, wheel: move the instrument; keys A D: sideways, W S: up and down, Q E: away and near");
   if (hints_.close) all += tr("Hold Space: close the jaws, B: open them");
   if (hints_.open) all += tr("Hold B: open the jaws");

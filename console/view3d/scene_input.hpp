@@ -25,7 +25,7 @@ namespace swage::console {
 struct ControlHints {
   bool drag = false, close = false, drive = false, open = false;  // until the control was used once
   bool put_back = false;                                         // for a dropped object, and a bent needle
-  bool side = false;                                             // until a needle was seen from the side once
+  int side = 0;  // presses of F11 that lead to the view from the side, until a needle was seen from there once; 0: not shown
   bool operator==(const ControlHints&) const = default;
 };
 

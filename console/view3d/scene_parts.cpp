@@ -235,11 +235,30 @@ void find_aim(const snapshot::SceneCard& card, SceneParts& parts) {
   }
 }
 
+// The vertices of a thread that lie in tissue at the start: there it is tied. Their middle in the level, as one side of a stitch may have more of
+// them than the other.
+std::optional<QVector3D> find_stitch(const snapshot::SceneCard& card, const SceneParts& parts) {
+  Bounds soft, inside;
+  for (const ScenePart& p : parts.part)
+    if (p.soft) add_bounds(card, p, soft);
+  if (soft.empty()) return {};
+  for (const ThreadLine& thread : parts.threads)
+    for (size_t i = 0; i + 2 < thread.start.size(); i += 3)
+      if (const QVector3D p = to_mm({thread.start[i], thread.start[i + 1], thread.start[i + 2]}); soft.holds(p)) inside.add(p);
+  if (inside.empty()) return {};
+  const QVector3D c = inside.centre();
+  return QVector3D(c.x(), c.y(), soft.high.z());
+}
+
 }  // namespace
 
 void Bounds::add(const QVector3D& p) {
   low = QVector3D(std::min(low.x(), p.x()), std::min(low.y(), p.y()), std::min(low.z(), p.z()));
   high = QVector3D(std::max(high.x(), p.x()), std::max(high.y(), p.y()), std::max(high.z(), p.z()));
+}
+
+bool Bounds::holds(const QVector3D& p) const {
+  return p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y() && p.z() >= low.z() && p.z() <= high.z();
 }
 
 Role role_of(const snapshot::SceneCard& card, uint32_t object) {
@@ -328,6 +347,7 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   if (!parts.tips_of.empty()) parts.tips = parts.tips_of.begin()->second;
   if (card.tips_only) keep_tips(card, parts);
   find_aim(card, parts);
+  parts.stitch = find_stitch(card, parts);
   return parts;
 }
 

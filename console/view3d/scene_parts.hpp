@@ -6,6 +6,7 @@
 #include <QQuaternion>
 #include <QVector3D>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "console/view3d/mesh.hpp"
@@ -42,6 +43,7 @@ struct Bounds {
   void add(const QVector3D& p);
   bool empty() const { return low.x() > high.x(); }
   QVector3D centre() const { return 0.5F * (low + high); }
+  bool holds(const QVector3D& p) const;
   float radius() const { return empty() ? 0.F : 0.5F * (high - low).length(); }
 };
 
@@ -73,6 +75,8 @@ struct SceneParts {
   QVector3D watched_middle;
   QVector3D watched_on;  // a place on it near its middle, same frame
   std::vector<Spot> ends;  // the two places on it that are furthest apart
+  /// The middle of the stitch in which a thread lies through tissue at the start, at the height of the tissue's top. World, mm.
+  std::optional<QVector3D> stitch;
   /// What the hand has to bring together: the tips of its tool; and the middle of the marked region, or of the watched object,
   /// or of each of several objects.
   std::vector<Spot> tips, aim;

@@ -108,6 +108,12 @@ std::optional<QVector3D> SceneState::first_point() const {
   return {};
 }
 
+std::optional<QVector3D> SceneState::subject() const {
+  const bool thread_alone = std::any_of(parts_.threads.begin(), parts_.threads.end(),
+                                        [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
+  return parts_.stitch && thread_alone ? parts_.stitch : first_point();
+}
+
 std::vector<QVector3D> SceneState::points() const {
   std::vector<QVector3D> out;
   for (uint32_t m = 0; judged() && m < snapshot_->n_mark && m < card_.script.marks.size(); ++m)

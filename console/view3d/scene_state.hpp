@@ -70,6 +70,8 @@ class SceneState {
   QVector3D aim_near(const QVector3D& tips, float reach) const;
   /// Position of the first mark that is a point in the world.
   std::optional<QVector3D> first_point() const;
+  /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point.
+  std::optional<QVector3D> subject() const;
   /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;

@@ -48,10 +48,10 @@ void ViewPoint::look(CameraPreset preset) {
   look_near();
 }
 
-// Looks at the first mark that is a point in the world; without one the present point stays. True when there is a point.
+// Looks at what the lesson is about; where nothing tells it the present point stays. True when there is a point.
 bool ViewPoint::look_near() {
   if (preset_ != CameraPreset::kNear) return near_.has_value();
-  const std::optional<QVector3D> at = scene_.first_point();
+  const std::optional<QVector3D> at = scene_.subject();
   if (!at) return near_.has_value();
   if (!near_ || (*near_ - *at).length() > kMoved_mm) camera.stay_at(*at);
   near_ = at;
@@ -59,13 +59,15 @@ bool ViewPoint::look_near() {
 }
 
 // From the side the camera looks perpendicular to the plane of an upright needle, past the tool: the needle is driven in this plane. Where
-// something hides the needle, such as the flap to be pierced, the camera looks from the front.
+// something hides the needle, such as the flap to be pierced, the camera looks from the front; and where nothing can be pierced and a shaft
+// lies along that line of sight, as it would hide the needle and its own tilt.
 void ViewPoint::look_aside() {
   if (preset_ != CameraPreset::kSide || !scene_.have_card()) return;
   const auto circle = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips(), kAnywhere_mm);
   if (!circle) return look_past_tool();
   QVector3D level(circle->axis.x(), circle->axis.y(), 0);
   if (level.length() < kStands) return;
+  if (!drives() && looks_along_a_shaft(level.normalized())) return look_past_tool();
   const float away = QVector3D::dotProduct(level.normalized(), handle());
   const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
   if (other_side) level = -level;
@@ -90,6 +92,19 @@ QVector3D ViewPoint::shaft(uint32_t tool) const {
   for (const ScenePart& part : scene_.parts().part)
     if (part.role == Role::kTool && part.chain < 0 && part.object == tool) sum += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
   return sum.normalized();
+}
+
+// Whether there is something to drive a needle through.
+bool ViewPoint::drives() const {
+  const auto& objects = scene_.card().objects;
+  return std::any_of(objects.begin(), objects.end(), [](const snapshot::CardObject& o) {
+    return std::find(o.traits.begin(), o.traits.end(), SWAGE_TRAIT_PIERCEABLE) != o.traits.end();
+  });
+}
+
+bool ViewPoint::looks_along_a_shaft(const QVector3D& sight) const {
+  const auto& tools = scene_.parts().tips_of;
+  return std::any_of(tools.begin(), tools.end(), [&](const auto& t) { return std::abs(QVector3D::dotProduct(sight, shaft(t.first))) > kAtViewer; });
 }
 
 // Other work than a needle is seen from the front, or where a shaft points at the viewer there and hides what its tips hold, from behind.

@@ -28,7 +28,7 @@ class ViewPoint {
   /// Frames the present card of the scene, without gliding.
   void frame(CameraPreset preset);
   void look(CameraPreset preset);
-  /// Moves to the mark in the world that the preset looks at; returns whether there is or was one.
+  /// Moves to the place that the preset looks at (SceneState::subject); returns whether there is or was one.
   bool look_near();
 
   void set_stereo(const StereoLook& look);
@@ -56,6 +56,8 @@ class ViewPoint {
   void look_aside();
   void look_past_tool();
   QVector3D handle() const;
+  bool drives() const;
+  bool looks_along_a_shaft(const QVector3D& sight) const;
   QVector3D shaft(uint32_t tool) const;
   float screen_scale() const;
 

@@ -9,10 +9,12 @@
 #include <QGridLayout>
 #include <QLocale>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "console/models/words.hpp"
+#include "console/widgets/number_box.hpp"
 #include "console/widgets/parts.hpp"
 #include "host/params.hpp"
 
@@ -122,7 +124,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
             [=, this](int i) { edit(field, component, box->itemData(i).value<QVector<int>>().first()); });
     return box;
   }
-  auto* box = new QDoubleSpinBox(body_);
+  auto* box = new NumberBox(QString::fromStdString(p.param.display_unit.empty() ? p.param.unit : p.param.display_unit), body_);
   const double factor = p.factor();
   box->setDecimals(p.decimals());
   box->setRange(p.param.min * factor, p.param.max * factor);
@@ -134,7 +136,15 @@ QWidget* LiveForm::make_editor(int field, int component) {
   box->setValue(start * factor);
   box->setKeyboardTracking(false);  // while "0.25" is typed, neither 0 nor 0.2 is set
   connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });
+  // after the change to which it belongs
+  connect(box, &NumberBox::refused, this, [=, this](const QString& words) { refuse(field, box, words); }, Qt::QueuedConnection);
   return box;
+}
+
+void LiveForm::refuse(int index, QWidget* editor, const QString& words) {
+  const QString all = QStringLiteral("%1: %2").arg(fields_[index].label->text(), words);
+  QToolTip::showText(editor->mapToGlobal(QPoint(0, editor->height())), all, editor);
+  Q_EMIT refused(all);
 }
 
 void LiveForm::edit(int index, int component, double shown) {
@@ -249,10 +259,10 @@ int LiveForm::preset(const QVector<Change>& values) {
   return taken;
 }
 
-QString LiveForm::title_of(const std::string& id) const {
+QString LiveForm::title_of(const std::string& id, const std::string& instance) const {
   QString title;
   for (const Field& field : fields_) {
-    if (field.param.param.id != id) continue;
+    if (field.param.param.id != id || (!instance.empty() && field.param.instance != instance)) continue;
     if (!title.isEmpty() && title != field.label->text()) return {};
     title = field.label->text();
   }

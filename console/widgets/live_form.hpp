@@ -38,14 +38,16 @@ class LiveForm : public QFrame {
   QVector<Change> changed_values() const;
   /// Sets values as if they had been typed; parameters that this form lacks are skipped. Returns the number of values set.
   int preset(const QVector<Change>& values);
-  /// The title of the parameter with this id; "" where the form has none, or several.
-  QString title_of(const std::string& id) const;
+  /// The title of the parameter with this id, of this part of the lesson or of any; "" where the form has none, or several.
+  QString title_of(const std::string& id, const std::string& instance = {}) const;
   /// Shows only the lines whose title, section or part's name contains the text, or where none does, whose explanation does; all for "".
   /// Returns whether any match.
   bool find(const QString& text);
 
  Q_SIGNALS:
   void changed(const QString& instance, const QString& json, const QString& words);
+  /// A number was typed that the field does not take, or not as it is; told at the field, too.
+  void refused(const QString& words);
 
  private:
   struct Field {
@@ -59,6 +61,7 @@ class LiveForm : public QFrame {
   void add_field(const LiveParam& param, QLabel* heading, QGridLayout* grid);
   QWidget* make_editor(int field, int component);
   void edit(int field, int component, double shown);
+  void refuse(int field, QWidget* editor, const QString& words);
   void put(int field, const std::array<double, 4>& value);
   void take_start(const Field& choice);
   void enable(const Field& field);

@@ -47,12 +47,21 @@ void expect_keys(const Json& from, std::initializer_list<const char*> known, con
     if (std::find(known.begin(), known.end(), key) == known.end()) refuse(say::kUnknownKey(where, key));
 }
 
-judge::Words words(const Json& from, const std::string& where) {
-  const Json& titles = at(from, "title", Json::value_t::object, where);
-  judge::Words out = {{"en", text(titles, "en", "the title of " + where)}};
-  for (const auto& [code, said] : titles.items())
-    if (code != "en") out.emplace_back(code, text(titles, code.c_str(), "the title of " + where));
+// a text by language; English must be there, as it stands in for the others
+judge::Words words(const Json& from, const char* key, const std::string& where) {
+  const Json& by_language = at(from, key, Json::value_t::object, where);
+  const std::string inside = "the " + std::string(key) + " of " + where;
+  judge::Words out = {{"en", text(by_language, "en", inside)}};
+  for (const auto& [code, said] : by_language.items())
+    if (code != "en") out.emplace_back(code, text(by_language, code.c_str(), inside));
   return out;
+}
+
+// a text by language, or a single one for all of them
+judge::Words words_or_text(const Json& from, const char* key, const std::string& where) {
+  const auto found = from.find(key);
+  if (found != from.end() && found->is_object()) return words(from, key, where);
+  return {{"en", text(from, key, where)}};
 }
 
 // an optional key; false without it
@@ -93,7 +102,7 @@ judge::RatingItem item(const Json& from) {
   out.id = text(from, "id", "an item");
   const std::string where = "item \"" + out.id + "\"";
   expect_keys(from, {"id", "title", "product", "metrics"}, where);
-  out.title = words(from, where);
+  out.title = words(from, "title", where);
   out.is_product = flag(from, "product", where);
   for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
   return out;
@@ -104,8 +113,8 @@ judge::RatingScale scale(const Json& from) {
   if (text(from, "format", "the scale") != "swage-scale/1") refuse(say::kScaleFormat("swage-scale/1"));
   judge::RatingScale out;
   out.id = text(from, "id", "the scale");
-  out.title = words(from, "the scale");
-  out.source = text(from, "source", "the scale");
+  out.title = words(from, "title", "the scale");
+  out.source = words_or_text(from, "source", "the scale");
   out.lowest = number(from, "lowest_points", "the scale");
   out.highest = number(from, "highest_points", "the scale");
   if (!(out.lowest < out.highest)) refuse(say::kNotBelow());

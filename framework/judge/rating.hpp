@@ -37,8 +37,9 @@ struct RatingItem {
 };
 
 struct RatingScale {
-  std::string id, source;
+  std::string id;
   Words title;
+  Words source;  // where the scale comes from and what is assumed of it; a single text counts as English
   double lowest = 1, highest = 5;  // of each item
   std::vector<std::string> needs;  // metrics without which the scale does not apply to an attempt
   std::vector<RatingItem> items;

@@ -33,7 +33,7 @@ nlohmann::ordered_json ratings_json(judge::Outcome outcome, judge::Metrics metri
                        {"points", rating.item[i] ? Json(*rating.item[i]) : Json(nullptr)}});
     out.push_back({{"id", scale.id},
                    {"title", judge::said_in(scale.title, "en")},
-                   {"source", scale.source},
+                   {"source", judge::said_in(scale.source, "en")},
                    {"lowest", scale.lowest},
                    {"highest", scale.highest},
                    {"mean", rating.decided > 0 ? Json(rating.mean) : Json(nullptr)},

@@ -112,11 +112,13 @@ TEST(AttemptAdvice, AControlIsToldUntilItWasUsedOnceInAnyAttempt) {
 // From aside keys lead to the needle only two or three at a time.
 TEST(AttemptAdvice, TheViewFromTheSideIsToldWhereANeedleIsDriven) {
   AttemptAdvice advice;
-  EXPECT_TRUE(advice.hints(false, true).side);
-  EXPECT_TRUE(advice.hints(true, true).side) << "a view is no answer of a test";
-  EXPECT_FALSE(advice.hints(false, false).side) << "nothing can be pierced";
+  EXPECT_EQ(advice.hints(false, true).side, 1);
+  EXPECT_EQ(advice.hints(true, true).side, 1) << "a view is no answer of a test";
+  EXPECT_EQ(advice.hints(false, false).side, 0) << "nothing can be pierced";
+  EXPECT_EQ(advice.hints(false, true, CameraPreset::kTop).side, 3) << "F11 goes by near and orbit";
+  EXPECT_EQ(advice.hints(false, true, CameraPreset::kSide).side, 0);
   advice.use("side");
-  EXPECT_FALSE(advice.hints(false, true).side);
+  EXPECT_EQ(advice.hints(false, true).side, 0);
 }
 
 }  // namespace

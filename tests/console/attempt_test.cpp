@@ -212,6 +212,8 @@ TEST_F(AttemptOnPage, AKeyGoesFromViewToView) {
     EXPECT_LT((seen() - view).length(), 1e-4F);
     EXPECT_TRUE(page()->view()->hasFocus());
   }
+  page()->look(console::CameraPreset::kTop);
+  EXPECT_EQ(child<QPushButton>("view_side")->toolTip(), "Side view; F11 goes on from Top to Near") << "from the view that is shown now";
 }
 
 // A lesson that cannot run leaves no old scene, and the Lessons page shows the reason as well.

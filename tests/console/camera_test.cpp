@@ -150,5 +150,13 @@ TEST(Camera, RoomIsKeptOverViewsAndZoom) {
   EXPECT_NEAR(camera.distance(), zoomed / 1.5F, 1e-3);
 }
 
+TEST(Camera, F11GoesThroughTheViewsAndTellsHowFarItIs) {
+  EXPECT_EQ(view_after(CameraPreset::kOrbit), CameraPreset::kSide);
+  EXPECT_EQ(view_after(CameraPreset::kNear), CameraPreset::kOrbit);
+  for (const CameraPreset from : kViewOrder)
+    for (const CameraPreset to : kViewOrder) EXPECT_EQ(view_after(from, steps_between(from, to)), to);
+  EXPECT_EQ(steps_between(CameraPreset::kTop, CameraPreset::kSide), 3);
+}
+
 }  // namespace
 }  // namespace swage::console

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "console/widgets/live_form.hpp"
 
@@ -88,6 +89,46 @@ TEST_F(LiveFormRows, AFractionThatHasTwoNamesIsOneEntry) {
   EXPECT_EQ(form.changes()[0].second, "\"4/8\"") << "as it was written";
 }
 
+/// What the field shows after a person has typed this into it, and has left it.
+QString typed(QDoubleSpinBox* box, const QString& text) {
+  box->setFocus();
+  box->selectAll();
+  QTest::keyClicks(box, text);
+  QTest::keyClick(box, Qt::Key_Return);
+  QTest::qWait(1);  // what is refused is told after the change
+  return box->text();
+}
+
+TEST_F(LiveFormRows, ANumberMayBeTypedWithItsUnit) {
+  show({row(SWAGE_PARAM_REAL, "lesson", "lift", "Lift", "How far.")});
+  auto* lift = editor<QDoubleSpinBox>("lesson_lift_0");
+  QSignalSpy refused(&form, &LiveForm::refused);
+  for (const char* text : {"2500 um", "2500 µm", "2.5", "2,5", "2.5mm", "0.0025 m"}) {
+    lift->setValue(1);
+    typed(lift, QString::fromUtf8(text));
+    EXPECT_NEAR(lift->value(), 2.5, 1e-9) << text;
+  }
+  EXPECT_EQ(refused.size(), 0);
+}
+
+// A number beyond the limits, or a force in a field of lengths, is not silently made into another one.
+TEST_F(LiveFormRows, WhatANumberCannotBeIsTold) {
+  show({row(SWAGE_PARAM_REAL, "lesson", "lift", "Lift", "How far.")});
+  auto* lift = editor<QDoubleSpinBox>("lesson_lift_0");
+  QSignalSpy refused(&form, &LiveForm::refused);
+  lift->setValue(1);
+  typed(lift, "9999");
+  EXPECT_NEAR(lift->value(), 100, 1e-9) << "the limit, not the digits that had room";
+  ASSERT_EQ(refused.size(), 1);
+  EXPECT_TRUE(refused[0][0].toString().startsWith("Lift: At most 100")) << refused[0][0].toString().toStdString();
+  for (const char* text : {"3 N", "abc"}) {
+    typed(lift, QLatin1String(text));
+    EXPECT_NEAR(lift->value(), 100, 1e-9) << text;
+  }
+  ASSERT_EQ(refused.size(), 3);
+  EXPECT_TRUE(refused[2][0].toString().startsWith("Lift: “abc” is no value")) << refused[2][0].toString().toStdString();
+}
+
 TEST_F(LiveFormRows, FindASectionAndAWordOfAnExplanation) {
   LiveParam time = row(SWAGE_PARAM_REAL, "lesson", "par_time", "Par time", "Up to here no points are lost.");
   time.param.group = "Limits";
@@ -101,6 +142,27 @@ TEST_F(LiveFormRows, FindASectionAndAWordOfAnExplanation) {
   EXPECT_TRUE(form.find("tiss"));
   EXPECT_FALSE(visible("lesson_force_0"));
   EXPECT_FALSE(form.find("xyz"));
+}
+
+// What the window tells a device itself, such as the circle of a held needle, is no line of the form during an attempt.
+TEST(LiveParams, ShowNoHiddenOnesDuringAnAttempt) {
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  host::Catalogue catalogue(nothing);
+  host::PluginInfo mouse;
+  mouse.kind = SWAGE_KIND_DEVICE, mouse.id = "x.mouse";
+  for (const char* id : {"drag", "circle"}) {
+    host::Param param;
+    param.type = SWAGE_PARAM_REAL, param.id = id, param.unit = "m", param.max = 1;
+    param.flags = SWAGE_PARAM_LIVE | (std::string(id) == "circle" ? SWAGE_PARAM_HIDDEN : 0);
+    mouse.params.push_back(param);
+  }
+  catalogue.add(mouse);
+  snapshot::SceneCard card;
+  card.devices.push_back({"hand", "x.mouse", "1"});
+  const QVector<LiveParam> shown = live_params("", card, catalogue);
+  ASSERT_EQ(shown.size(), 1);
+  EXPECT_EQ(shown[0].param.id, "drag");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "console/app/language.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/rating_panel.hpp"
@@ -90,6 +91,19 @@ TEST_F(RatingPages, AScaleSaysThatItIsComputedAndOfHowManyItems) {
   const console::RatedScale& smart = *std::find_if(review()->review().scales.begin(), review()->review().scales.end(),
                                                    [](const console::RatedScale& s) { return s.id == "smart"; });
   EXPECT_TRUE(smart.source.contains("from memory")) << "the source is told as the scale's file has it";
+}
+
+// what a scale assumes is told in the reader's language, only the citation stays
+TEST(GermanRatings, TellTheirSourceInGerman) {
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  const QVector<console::RatedScale> scales = console::rated_scales("passed", {}, {});
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+  ASSERT_FALSE(scales.isEmpty());
+  for (const console::RatedScale& scale : scales) {
+    EXPECT_TRUE(scale.source.contains("angenommen")) << scale.source.toStdString();
+    EXPECT_FALSE(scale.source.contains("assumed")) << scale.source.toStdString();
+  }
 }
 
 TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
@@ -217,13 +231,25 @@ TEST_F(RatingPages, ARatingLeavesTheComparison) {
   open_attempt(first);
   ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
   ASSERT_TRUE(review()->timeline()->has_other());
-  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P., ")) << child<QLabel>("other_title")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P.: ")) << child<QLabel>("other_title")->text().toStdString();
   EXPECT_EQ(review()->comparison()->ghost_name(), "Other attempt") << "the same person";
   const std::string item = review()->review().scales[0].items[0].id;
   ASSERT_TRUE(window->desk()->rate(first, item, 3));
   EXPECT_EQ(kept(first).size(), 1u);
   EXPECT_TRUE(review()->comparing());
   EXPECT_TRUE(review()->timeline()->has_other());
+}
+
+// Either picture says that it is not yet where the cursor is.
+TEST_F(RatingPages, BothPicturesSayThatTheyAreOnTheWay) {
+  recorded_steps = 60'000;
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  review()->go(50);
+  ASSERT_TRUE(eventually([&] { return review()->view()->words().clock.contains("on the way to 00:50"); }));
+  EXPECT_TRUE(eventually([&] { return review()->comparison()->view()->words().clock.contains("on the way to"); }))
+      << review()->comparison()->view()->words().clock.toStdString();
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "console/view3d/scene_state.hpp"
 #include "console/view3d/tool_tips.hpp"
+#include "console/view3d/view_point.hpp"
 
 namespace swage::console {
 namespace scene_parts_test {
@@ -256,6 +257,31 @@ TEST(SceneParts, WhileANeedleWithAThreadIsHeldTheWoundIsSeenBesideIt) {
   now->X_WB[3].p.x += 20e-3, now->step = 3;
   state.take(*now, false);
   EXPECT_EQ(state.beside_watched(), state.middle_of_tips()) << "another instrument holds it: these tips are away";
+}
+
+// The view near looks at the stitch that is to be tied: where the thread lies in the tissue, and not at the middle of a long thread.
+TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
+  snapshot::SceneCard card = scene();
+  card.objects.pop_back(), card.shapes.pop_back();
+  card.objects[1].traits.push_back(SWAGE_TRAIT_PIERCEABLE);  // from -1 to 1 mm, 1 mm high
+  card.objects[2].traits = {SWAGE_TRAIT_SOLID};
+  card.script.marks.clear();
+  card.objects.push_back({"suture", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 4, 1, 0, 0});
+  snapshot::CardShape thread = thread_of(4, 4, 30e-3);
+  thread.vertex = {{0.6e-3, 0.2e-3, 20e-3}, {0.6e-3, 0.2e-3, 0.9e-3}, {0.5e-3, 0.2e-3, 0.5e-3}, {0, 0.2e-3, 0.5e-3}, {-0.2e-3, 0.2e-3, 0.9e-3}, {-0.2e-3, 0.2e-3, 5e-3}};
+  card.shapes.push_back(thread);
+  card.start[4] = {{0, 0, 0}, {1, 0, 0, 0}};
+  SceneState state;
+  state.set_card(card);
+  ASSERT_TRUE(state.subject().has_value());
+  EXPECT_LT((*state.subject() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
+  ViewPoint point(state);
+  point.look(CameraPreset::kNear);
+  point.camera.jump();
+  EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
+  card.objects[1].traits.pop_back();
+  state.set_card(card);
+  EXPECT_FALSE(state.subject().has_value()) << "no tissue, and no mark";
 }
 
 // marks belong to what a picture shows, which on a slow machine is some snapshots old

@@ -112,6 +112,35 @@ TEST(SideView, IsFromWhereTheShaftDoesNotHideTheWork) {
   EXPECT_FALSE(side_is_from_behind(-right_angle, true)) << "a wall hides more";
 }
 
+/// Compass direction, deg, from which Side looks at an upright needle whose plane's normal is +x, with a tool that comes from +x.
+float side_at_a_needle(bool tissue) {
+  const double turn = std::sqrt(0.5);
+  snapshot::SceneCard card;
+  card.objects = {{"needle", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
+                  {"assistant", "x", "1", {SWAGE_TRAIT_GRIPPER}, 1, 1, 0, 0},
+                  {"pad", "x", "1", {SWAGE_TRAIT_SOLID}, 2, 1, 0, 0}};
+  if (tissue) card.objects[2].traits.push_back(SWAGE_TRAIT_PIERCEABLE);
+  card.motion = {SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS, SWAGE_MOTION_FIXED};
+  card.start = {{{0, 0, 0}, {turn, 0, turn, 0}}, {{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, -9e-3}, {1, 0, 0, 0}}};
+  snapshot::CardShape arc;
+  arc.kind = SWAGE_SHAPE_ARC;
+  arc.flags = SWAGE_SHAPE_USUAL;
+  arc.X_BS.q = {1, 0, 0, 0};
+  arc.radius = 0.05e-3, arc.arc_radius = 2e-3, arc.sweep = 2;
+  card.shapes = {arc, block(1, {2e-3, -0.3e-3, -0.3e-3}, {32e-3, 0.3e-3, 0.3e-3}), block(2, {-3e-3, -3e-3, -1e-3}, {3e-3, 3e-3, 0})};
+  SceneState scene;
+  scene.set_card(card);
+  ViewPoint point(scene);
+  point.frame(CameraPreset::kSide);
+  const QVector3D from = point.camera.eye() - point.camera.focus();
+  return std::atan2(from.y(), from.x()) * static_cast<float>(180 / std::numbers::pi);
+}
+
+TEST(SideView, IsAcrossAShaftWhoseTiltAtTheNeedleIsJudged) {
+  EXPECT_NEAR(side_at_a_needle(false), -90, 0.1F) << "along the shaft its jaws would hide the needle";
+  EXPECT_NEAR(std::abs(side_at_a_needle(true)), 180, 0.1F) << "a needle that is driven is seen square to its plane, away from the handle";
+}
+
 // A shaft from the needle to the eye 100 mm away: jaws are drawn, the part that hides the needle is not, and parts beside or behind it are.
 TEST(ClearSight, LeavesOutOfAnInstrumentOnlyWhatStandsBeforeTheNeedle) {
   const ClearSight sight{{0, 0, 0}, 2, 2.5F};

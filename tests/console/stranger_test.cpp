@@ -71,6 +71,19 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
 }
 
+TEST(Stranger, IsToldHowOftenF11LeadsToTheSide) {
+  EmptyPicture picture;
+  SceneInput& input = picture.input;
+  input.set_instrument(true);
+  ControlHints hints;
+  hints.side = 1;
+  input.set_hints(hints);
+  EXPECT_TRUE(input.hint(true, false, false).startsWith("F11: look from the side"));
+  hints.side = 3;
+  input.set_hints(hints);
+  EXPECT_TRUE(input.hint(true, false, false).startsWith("F11, 3 times: look from the side"));
+}
+
 // While a slow picture is painted a press and its release wait: both are handled at once, and the key was held all the same.
 TEST(Stranger, HoldsAKeyAsLongAsItWasHeldHoweverLateItIsHandled) {
   EmptyPicture picture;

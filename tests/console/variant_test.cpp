@@ -10,8 +10,10 @@
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "assembly/lesson_text.hpp"
 #include "console/models/variant.hpp"
@@ -90,7 +92,7 @@ class VariantDialogs : public ::testing::Test {
       assembly::LessonText whole;
       if (assembly::read_lesson_text(path.toStdString(), {}, whole, problems)) checked = whole.json;
       if (problem.isEmpty()) return std::make_unique<snapshot::SceneCard>();
-      problems.push_back({base::Severity::kError, "x.json:1", problem.toStdString()});
+      problems.push_back({base::Severity::kError, at.toStdString(), problem.toStdString()});
       return nullptr;
     };
     return {build, catalogue(), dir.filePath("drafts")};
@@ -108,11 +110,22 @@ class VariantDialogs : public ::testing::Test {
     return dialog->findChild<W*>(QString::fromLatin1(name));
   }
   void set(const char* editor, double shown) { child<QDoubleSpinBox>(editor)->setValue(shown); }
+  /// Presses Esc, and this button of the question that comes.
+  void leave(const QString& answer) {
+    QTimer::singleShot(0, dialog.get(), [this, answer] {
+      const auto* box = child<QMessageBox>("leave_unsaved");
+      ASSERT_NE(box, nullptr) << "nothing is asked";
+      for (QAbstractButton* b : box->buttons())
+        if (b->text() == answer) return b->click();
+      FAIL() << answer.toStdString();
+    });
+    QTest::keyClick(dialog.get(), Qt::Key_Escape);
+  }
   void save() { QTest::mouseClick(child<QPushButton>("variant_save"), Qt::LeftButton); }
 
   QTemporaryDir dir;
   LessonEntry base;
-  QString problem;
+  QString problem, at = QStringLiteral("x.json:1");
   nlohmann::ordered_json checked;  // the lesson that was built last
   int built = 0;
   std::unique_ptr<VariantDialog> dialog;
@@ -180,12 +193,27 @@ TEST_F(VariantDialogs, WriteNothingThatCannotBePractised) {
   EXPECT_FALSE(QFile::exists(dir.filePath("own")));
 }
 
+// "#/set/tissue.thickness" is where a lesson that changes another is wrong
+TEST_F(VariantDialogs, SayWhichValueIsWrong) {
+  problem = "the first number must be below the second";
+  at = "#/set/tissue.thickness";
+  set("live_tissue_thickness_0", 1.5);
+  save();
+  const QString name = child<QDoubleSpinBox>("live_tissue_thickness_0")->accessibleName();
+  ASSERT_FALSE(name.isEmpty());
+  EXPECT_EQ(child<QLabel>("variant_problem")->text(), "▲ " + name + ": " + problem);
+}
+
 // U15
 TEST_F(VariantDialogs, WriteNothingWhenTheyAreLeft) {
   child<QLineEdit>("variant_title")->setText("Thin wall");
   set("live_tissue_thickness_0", 1.5);
-  QTest::keyClick(dialog.get(), Qt::Key_Escape);
+  leave("Go on editing");
+  EXPECT_TRUE(dialog->isVisible());
+  EXPECT_NEAR(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 1.5, 1e-9);
+  leave("Leave");
   EXPECT_EQ(dialog->result(), QDialog::Rejected);
+  EXPECT_FALSE(dialog->isVisible());
   EXPECT_FALSE(QFile::exists(dir.filePath("own")));
   EXPECT_EQ(drafts(), QStringList()) << "the draft goes, too";
 }
@@ -228,7 +256,16 @@ TEST_F(VariantDialogs, KeysOfUndoAreTheLessonsInEveryField) {
   QTest::keySequence(title, QKeySequence::Undo);
   QTest::keySequence(title, QKeySequence::Undo);
   EXPECT_EQ(title->text(), "Base, adapted");
-  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 3);
+  auto* thickness = child<QDoubleSpinBox>("live_tissue_thickness_0");
+  EXPECT_EQ(thickness->value(), 3);
+  thickness->setFocus();
+  thickness->selectAll();
+  QTest::keyClicks(thickness, "2");
+  QTest::keyClick(thickness, Qt::Key_Tab);
+  thickness->setFocus();
+  EXPECT_EQ(thickness->value(), 2);
+  QTest::keySequence(thickness, QKeySequence::Undo);
+  EXPECT_EQ(thickness->value(), 3) << "in the field of a number, too";
 }
 
 TEST_F(VariantDialogs, APartIsAddedWithItsValues) {

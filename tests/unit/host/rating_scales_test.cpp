@@ -41,6 +41,18 @@ TEST(RatingScales, AreReadInSiUnits) {
   EXPECT_NEAR(scale.items[0].by[0].worst, M_PI / 6, 1e-12);
 }
 
+TEST(RatingScales, ASourceIsOneTextOrOneForEachLanguage) {
+  judge::RatingScale scale;
+  std::string error;
+  ASSERT_TRUE(read_rating_scale(kGood, scale, error)) << error;
+  EXPECT_EQ(judge::said_in(scale.source, "de"), "a book") << "a single text counts in each language";
+  ASSERT_TRUE(read_rating_scale(with("\"a book\"", R"({"en": "a book", "de": "ein Buch"})"), scale, error)) << error;
+  EXPECT_EQ(judge::said_in(scale.source, "en"), "a book");
+  EXPECT_EQ(judge::said_in(scale.source, "de"), "ein Buch");
+  EXPECT_FALSE(read_rating_scale(with("\"a book\"", R"({"de": "ein Buch"})"), scale, error));
+  EXPECT_THAT(error, HasSubstr("the source of the scale"));
+}
+
 TEST(RatingScales, EachFaultHasItsSentence) {
   const std::pair<std::string, std::string> faults[] = {
       {"{", "parse error"},
@@ -118,6 +130,7 @@ TEST(RatingScales, ThoseThatComeWithSwageAreWhole) {
   const auto scales = rating_scales(SWAGE_SOURCE_DIR "/resources/scales", errors);
   EXPECT_THAT(errors, testing::IsEmpty());
   ASSERT_EQ(scales.size(), 3u);
+  for (const judge::RatingScale& s : scales) EXPECT_EQ(s.source.size(), 2u) << s.id << ": what is assumed is told in each language";
   for (const judge::RatingScale& s : scales)
     for (const judge::RatingItem& item : s.items) EXPECT_EQ(item.title.size(), 2u) << s.id << " " << item.id;
 }

@@ -13,7 +13,7 @@ using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::Optional;
 
-const RatingScale kScale = {"s", "a source", {{"en", "Scale"}}, 1, 5, {},
+const RatingScale kScale = {"s", {{"en", "Scale"}}, {{"en", "a source"}}, 1, 5, {},
                             {{"force", {{"en", "Force"}, {"de", "Kraft"}}, {{"force.peak", "N", 0.2, 0.6}, {"drops", "1", 0, 2}}},
                              {"flow", {{"en", "Flow"}}, {}},
                              {"done", {{"en", "Done"}}, {{"task.success", "1", 1, 0}}}}};
