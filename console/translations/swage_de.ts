@@ -3783,6 +3783,101 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::PullDialog</name>
+    <message>
+        <source>Pull the knot</source>
+        <translation>Knoten ziehen</translation>
+    </message>
+    <message>
+        <source>The knot over two pins that are drawn apart</source>
+        <translation>Der Knoten über zwei Stiften, die auseinandergezogen werden</translation>
+    </message>
+    <message>
+        <source>Pull &amp;again</source>
+        <translation>&amp;Noch einmal ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as a note</source>
+        <translation>Als &amp;Notiz behalten</translation>
+    </message>
+    <message>
+        <source>A note at this moment of the attempt: it is in the list of events and in the report</source>
+        <translation>Eine Notiz zu diesem Zeitpunkt des Versuchs: Sie steht in der Liste der Ereignisse und im Bericht</translation>
+    </message>
+    <message>
+        <source>Tension, of the load</source>
+        <translation>Spannung, von der Last</translation>
+    </message>
+    <message>
+        <source>&amp;Load</source>
+        <translation>&amp;Last</translation>
+    </message>
+    <message>
+        <source>Of the thread on itself: nylon has 0.1 to 0.3</source>
+        <translation>Des Fadens auf sich selbst: Nylon hat 0,1 bis 0,3</translation>
+    </message>
+    <message>
+        <source>&amp;Friction</source>
+        <translation>&amp;Reibung</translation>
+    </message>
+    <message>
+        <source>The attempt is not changed: a copy of its thread, cut free of the tissue, is laid over two pins, one of which goes away from the other. It has failed when a tenth of a usual loop has slipped through.</source>
+        <translation>Der Versuch bleibt unverändert: Eine Kopie seines Fadens, vom Gewebe gelöst, wird über zwei Stifte gelegt, von denen einer sich vom anderen entfernt. Er hält nicht, wenn ein Zehntel einer üblichen Schlinge durchgerutscht ist.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation type="unfinished">▲ %1</translation>
+    </message>
+    <message>
+        <source>Knot %1 as it is at %2, loop %3</source>
+        <translation>Knoten %1, wie er bei %2 ist, Schlinge %3</translation>
+    </message>
+    <message>
+        <source>Tension %1, slip %2</source>
+        <translation>Spannung %1, Schlupf %2</translation>
+    </message>
+    <message>
+        <source>✓ It holds.</source>
+        <translation>✓ Er hält.</translation>
+    </message>
+    <message>
+        <source>▲ The thread parts.</source>
+        <translation>▲ Der Faden reißt.</translation>
+    </message>
+    <message>
+        <source>▲ It gives way.</source>
+        <translation>▲ Er gibt nach.</translation>
+    </message>
+    <message>
+        <source>The solver fell short: %1</source>
+        <translation>Der Löser kam nicht nach: %1</translation>
+    </message>
+    <message>
+        <source>Knot %1 pulled, friction %L2:</source>
+        <translation>Knoten %1 gezogen, Reibung %L2:</translation>
+    </message>
+    <message>
+        <source>%1 holds %2, slip %3</source>
+        <translation>%1 hält %2, Schlupf %3</translation>
+    </message>
+    <message>
+        <source>%1 the thread parts at %2, slip %3</source>
+        <translation>%1 Faden reißt bei %2, Schlupf %3</translation>
+    </message>
+    <message>
+        <source>%1 gives way at %2, slip %3</source>
+        <translation>%1 gibt nach bei %2, Schlupf %3</translation>
+    </message>
+    <message>
+        <source>▲ The note was not kept.</source>
+        <translation>▲ Die Notiz wurde nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Kept as a note.</source>
+        <translation>Als Notiz behalten.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::RatingPanel</name>
     <message>
         <source>Rating scales of surgeons</source>
@@ -4009,6 +4104,30 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Pull the knot</source>
+        <translation>Knoten ziehen</translation>
+    </message>
+    <message>
+        <source>Pull the knot…</source>
+        <translation>Knoten ziehen…</translation>
+    </message>
+    <message>
+        <source>Does the knot hold, as it is at the cursor? A copy of it is pulled (K)</source>
+        <translation>Hält der Knoten, wie er am Cursor ist? Eine Kopie davon wird gezogen (K)</translation>
+    </message>
+    <message>
+        <source>▲ The picture is not yet at the cursor: pull the knot when it is.</source>
+        <translation>▲ Das Bild ist noch nicht am Cursor: den Knoten ziehen, wenn es dort ist.</translation>
+    </message>
+    <message>
+        <source>This attempt has no knot.</source>
+        <translation>Dieser Versuch hat keinen Knoten.</translation>
+    </message>
+    <message>
+        <source>▲ At %1: %2 Go to where it is tied, such as the end.</source>
+        <translation>▲ Bei %1: %2 Dorthin gehen, wo er geknüpft ist, etwa ans Ende.</translation>
     </message>
 </context>
 <context>

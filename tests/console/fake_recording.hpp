@@ -60,6 +60,35 @@ inline std::vector<record::EventRow> fake_events() {
           {1200, 1.2, "swage", "host.gap", 4}};
 }
 
+/// A pull of ten steps, in which the tension grows to `bears_N`.
+class FakePuller final : public console::KnotPuller {
+ public:
+  struct Script {
+    double bears_N = 0.1, slip_m = 0.06e-3;
+    bool broke = false;
+    std::string no_knot;  // non-empty: why nothing can be pulled
+  };
+  FakePuller(snapshot::SceneCard card, const Script& script, const console::PullWish& wish) : card_(std::move(card)), script_(script), wish_(wish) {}
+  const snapshot::SceneCard& card() const override { return card_; }
+  console::PulledKnot knot() const override { return {QStringLiteral("2 -1 1"), 4.6e-3, wish_.friction > 0 ? wish_.friction : 0.3}; }
+  bool step(uint64_t most) override {
+    at_ = std::min(at_ + most, kSteps);
+    return at_ < kSteps;
+  }
+  console::PullState state() const override {
+    const double share = static_cast<double>(at_) / static_cast<double>(kSteps);
+    return {at_ == kSteps, at_ == kSteps && script_.bears_N >= wish_.load_N, script_.broke, share * script_.bears_N, share * script_.slip_m, {}};
+  }
+  void fill(snapshot::Snapshot& out) const override { fake_state({}, 1e-3 * static_cast<double>(at_), out); }
+
+ private:
+  static constexpr uint64_t kSteps = 10;
+  snapshot::SceneCard card_;
+  const Script script_;
+  const console::PullWish wish_;
+  uint64_t at_ = 0;
+};
+
 /// Moves step by step like the real player; its scene is the fake session's.
 class FakePlayer final : public console::Player {
  public:
@@ -81,7 +110,14 @@ class FakePlayer final : public console::Player {
     out.phase = SWAGE_NONE;
   }
   uint64_t first_difference() const override { return differs; }
+  std::unique_ptr<console::KnotPuller> pull_knot(const console::PullWish& wish, base::Problems& problems) override {
+    if (pull.no_knot.empty()) return std::make_unique<FakePuller>(card_, pull, wish);
+    problems.push_back({base::Severity::kError, "lesson.json", pull.no_knot});
+    return nullptr;
+  }
   uint64_t differs = ~uint64_t{0};
+  FakePuller::Script pull;
+
  private:
   snapshot::SceneCard card_;
   uint64_t at_ = 0, count_;

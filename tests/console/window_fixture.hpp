@@ -53,6 +53,7 @@ class WindowTest : public testing::Test {
     };
     services.read_recording = [this](const std::string&, record::Recording& out, std::string& error) {
       out = fake_recording(recorded_steps);
+      if (with_knot) out.info.script.signals.back() = {"knot", "knot.throws", "1", "Throws that are tied."};
       error = "Its file is damaged.";
       return recorded_steps > 0;
     };
@@ -65,6 +66,7 @@ class WindowTest : public testing::Test {
       base::Problems none;
       auto player = std::make_unique<FakePlayer>(open_fake({}, none, script, log)->card(), r.step.size());
       player->differs = differs;
+      player->pull = pull;
       return player;
     };
     if (with_expert) {
@@ -162,6 +164,8 @@ class WindowTest : public testing::Test {
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
   size_t recorded_steps = 2000;  // of any attempt opened for review; 0: it cannot be read
+  bool with_knot = false;        // its lesson reads knots
+  FakePuller::Script pull;       // what comes of pulling one
   std::string plugin_missing;    // non-empty: the missing plugin, without which the picture cannot be replayed
   uint64_t differs = ~uint64_t{0};
   std::vector<record::AttemptRow> attempts;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// "Pull the knot" on the Review page, by keys and clicks.
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QTableView>
+
+#include "console/pages/pull_dialog.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class PullPages : public WindowTest {
+ protected:
+  void open_review() {
+    with_knot = true;
+    attempts = sample_attempts();
+    open();
+    click("page_people");
+    window->people_page()->select_person("Arun P.");
+    window->people_page()->person()->focus_attempts();
+    auto* table = child<QTableView>("attempts");
+    table->selectRow(0);
+    QTest::keyClick(table, Qt::Key_Return);
+    ASSERT_TRUE(review()->isVisible());
+    ASSERT_TRUE(at_rest());
+  }
+  console::ReviewPage* review() { return window->review_page(); }
+  bool at_rest() {
+    return eventually([&] { return !review()->moving(); });
+  }
+  /// Presses K over the traces and does `what` once the pull is over; true when the dialog has come.
+  template <class Do>
+  bool pull_by_key(Do what) {
+    bool came = false;
+    in_dialog("pull_dialog", [&](QDialog* dialog) {
+      auto* pulls = qobject_cast<console::PullDialog*>(dialog);
+      came = pulls != nullptr && eventually([&] { return !pulls->pulling(); });
+      if (came) what(*pulls);
+      dialog->reject();
+    });
+    QTest::keyClick(review()->timeline(), Qt::Key_K);
+    return came;
+  }
+  static QString words(const QDialog& dialog, const char* name) { return dialog.findChild<QLabel*>(QString::fromLatin1(name))->text(); }
+};
+
+TEST_F(PullPages, AKnotThatHoldsIsTold) {
+  open_review();
+  review()->go(1);
+  ASSERT_TRUE(at_rest());
+  EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) {
+    EXPECT_TRUE(dialog.state().holds);
+    EXPECT_EQ(words(dialog, "pull_knot"), "Knot (2, \u22121, 1) as it is at 00:01, loop 4.60\u202Fmm");
+    EXPECT_EQ(words(dialog, "pull_result"), "\u2713 It holds.");
+    EXPECT_EQ(dialog.findChild<QProgressBar*>()->value(), 1000);
+    EXPECT_EQ(dialog.findChild<QDoubleSpinBox*>("pull_friction")->value(), 0.3) << "as in the attempt";
+    EXPECT_TRUE(dialog.note().startsWith("Knot (2, \u22121, 1) pulled, friction 0.3: holds 100")) << dialog.note().toStdString();
+    EXPECT_FALSE(dialog.findChild<QPushButton*>("pull_keep")->isVisible()) << "this store takes no notes";
+  }));
+}
+
+TEST_F(PullPages, AKnotThatGivesWayIsToldAndPulledAgainWithOtherValues) {
+  pull = {0.03, 0.5e-3, false, ""};
+  open_review();
+  EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) {
+    EXPECT_FALSE(dialog.state().holds);
+    EXPECT_EQ(words(dialog, "pull_result"), "\u25B2 It gives way.");
+    EXPECT_EQ(dialog.findChild<QProgressBar*>()->value(), 300);
+    EXPECT_TRUE(words(dialog, "pull_numbers").contains("30")) << words(dialog, "pull_numbers").toStdString();
+    dialog.findChild<QDoubleSpinBox*>("pull_load")->setValue(20);
+    dialog.findChild<QDoubleSpinBox*>("pull_friction")->setValue(0.5);
+    QTest::mouseClick(dialog.findChild<QPushButton*>("pull_again"), Qt::LeftButton);
+    EXPECT_TRUE(eventually([&] { return !dialog.pulling(); }));
+    EXPECT_TRUE(dialog.state().holds) << "20 mN of the 30 that it bears";
+    EXPECT_TRUE(dialog.note().contains("friction 0.5")) << dialog.note().toStdString();
+  }));
+}
+
+TEST_F(PullPages, AThreadThatPartsIsTold) {
+  pull = {0.05, 0.1e-3, true, ""};
+  open_review();
+  EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) { EXPECT_EQ(words(dialog, "pull_result"), "\u25B2 The thread parts."); }));
+}
+
+TEST_F(PullPages, WithoutAKnotAtTheCursorItIsSaidWhy) {
+  pull.no_knot = "There is no knot.";
+  open_review();
+  click("review_pull");
+  EXPECT_TRUE(child<QLabel>("review_note")->text().contains("There is no knot.")) << child<QLabel>("review_note")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("review_note")->text().contains("00:00"));
+}
+
+TEST_F(PullPages, WhereNoLessonReadsKnotsThereIsNothingToPull) {
+  open_review();
+  EXPECT_TRUE(child<QPushButton>("review_pull")->isVisible());
+  with_knot = false;
+  click("page_people");
+  QTest::keyClick(child<QTableView>("attempts"), Qt::Key_Return);
+  ASSERT_TRUE(review()->isVisible());
+  EXPECT_FALSE(child<QPushButton>("review_pull")->isVisible());
+  QTest::keyClick(review()->timeline(), Qt::Key_K);  // does nothing
+}
+
+}  // namespace
+}  // namespace swage::test
