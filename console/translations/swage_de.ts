@@ -3826,7 +3826,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>▲ %1</source>
-        <translation type="unfinished">▲ %1</translation>
+        <translation>▲ %1</translation>
     </message>
     <message>
         <source>Knot %1 as it is at %2, loop %3</source>

@@ -46,7 +46,8 @@ void Thread::push_edge(int edge, const Vec3& f, double stiff, const Vec3& n) {
 /// Edges of one charge push each other, but for neighbours, whose push is along the thread and a hundred-thousandth of what stretches it
 /// by 1 %. The mean of what each does to the middle of the other acts on both, so that none moves the whole. The force of a step is
 /// that of its beginning; a spring across, of the slope of the force, keeps the edge from going farther in a step than it was away.
-/// Edges of pieces that were parted have their charge as before.
+/// Edges of pieces that were parted have their charge as before. The earthed plane is the top of something: below it, beside that, an edge
+/// feels and is nothing to it, as the image of what hangs past the plane would lie in the thread itself.
 void Thread::feel_charge(const Step& step) {
   if (!charged()) return;
   std::fill(charge_force_.begin(), charge_force_.end(), 0.0), std::fill(charge_spring_.begin(), charge_spring_.end(), 0.0);
@@ -68,9 +69,10 @@ void Thread::feel_charge(const Step& step) {
     }
   if (environment_.grounded == 0) return;
   const auto image = [&](Vec3 p) { return p.z() = 2 * environment_.ground_z - p.z(), p; };
+  const auto above = [&](int j) { return middle(j).z() > environment_.ground_z; };
   for (int i = 0; i < params_.segments; ++i)
-    for (int j = 0; j < params_.segments; ++j)
-      push_edge(i, q * rod_.rest_length(i) * toolkit::charged_piece_field(image(s.node(j)), image(s.node(j + 1)), -q, middle(i), least), 0, Vec3::UnitZ());
+    for (int j = 0; above(i) && j < params_.segments; ++j)
+      if (above(j)) push_edge(i, q * rod_.rest_length(i) * toolkit::charged_piece_field(image(s.node(j)), image(s.node(j + 1)), -q, middle(i), least), 0, Vec3::UnitZ());
 }
 
 }  // namespace swage::thread

@@ -72,6 +72,16 @@ TEST(Thread, IsDrawnToAnEarthedPlane) {
   }
 }
 
+// what hangs past the edge of an earthed tray is beside it, not in it: nothing draws it, and its image draws nothing
+TEST(Thread, BelowAnEarthedPlaneIsNotDrawn) {
+  constexpr double q = 0.5e-9, h = 1e-3;
+  const double drawn = pushed(q, "", 40, 20, -h).norm();
+  EXPECT_LT(pushed(q, "", 40, 20, h).norm(), 1e-4 * drawn);
+  // its middle crosses the plane: the images of the lower half would lie 22 um beside the upper one, at a force of 20 times its weight
+  const double crossing = pushed(q, "0 0 10, 0.02 0 -10 mm", 40, 19, 0).head<2>().norm();
+  EXPECT_LT(crossing, 0.1 * drawn);
+}
+
 /// Sag of a thread of 20 mm between two ends that are fixed 16 mm apart.
 double sag(int level, double density) {
   Bench b;
