@@ -2820,10 +2820,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>aus</translation>
     </message>
     <message>
-        <source>What you change here is written into the lesson; all else stays as it is.</source>
-        <translation>Was Sie hier ändern, wird in die Lektion geschrieben; alles andere bleibt, wie es ist.</translation>
-    </message>
-    <message>
         <source>Nothing of this lesson may be changed while it runs.</source>
         <translation>Nichts an dieser Lektion darf geändert werden, während sie läuft.</translation>
     </message>
@@ -2846,6 +2842,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>by </source>
         <translation>mal </translation>
+    </message>
+    <message>
+        <source>What you change here is written into the lesson; all else stays as it is. Values that are rarely changed are found by their name.</source>
+        <translation>Was Sie hier ändern, wird in die Lektion geschrieben; alles andere bleibt, wie es ist. Selten geänderte Werte findet man über ihren Namen.</translation>
     </message>
 </context>
 <context>

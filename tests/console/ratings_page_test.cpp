@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <algorithm>
@@ -250,6 +252,34 @@ TEST_F(RatingPages, BothPicturesSayThatTheyAreOnTheWay) {
   ASSERT_TRUE(eventually([&] { return review()->view()->words().clock.contains("on the way to 00:50"); }));
   EXPECT_TRUE(eventually([&] { return review()->comparison()->view()->words().clock.contains("on the way to"); }))
       << review()->comparison()->view()->words().clock.toStdString();
+}
+
+// On a projector of 1024 x 768 each title of a tab can be read, and the choice of another attempt is not wider than its dialog.
+class GermanReview : public RatingPages {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+    RatingPages::SetUp();
+  }
+  void TearDown() override {
+    window.reset();
+    console::use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+};
+
+TEST_F(GermanReview, NoTitleOfATabIsCutAt1024) {
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  auto* tabs = child<QTabWidget>("review_tabs");
+  window->resize(1024, 768);
+  for (int i = 0; i < tabs->count(); ++i) tabs->setTabVisible(i, true);
+  QEvent style(QEvent::StyleChange);
+  QApplication::sendEvent(tabs->parentWidget(), &style);
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  const QTabBar* bar = tabs->tabBar();
+  EXPECT_TRUE(eventually([&] { return bar->width() >= bar->sizeHint().width(); })) << bar->width() << " of " << bar->sizeHint().width() << " px";
+  EXPECT_LE(window->minimumSizeHint().width(), 1024);
 }
 
 }  // namespace
