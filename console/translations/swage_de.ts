@@ -4396,8 +4396,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Leertaste halten: die Backen schließen, B: öffnen</translation>
     </message>
     <message>
-        <source>Hold T: drive the needle</source>
-        <translation>T halten: die Nadel führen</translation>
+        <source>Hold T: drive the needle, once its point stands square to the tissue</source>
+        <translation>T halten: die Nadel führen, sobald ihre Spitze senkrecht zum Gewebe steht</translation>
     </message>
     <message>
         <source>F7: put it back</source>
@@ -5223,6 +5223,14 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Of what is drawn the end was left out %1 times, for lack of room.</source>
         <translation>Vom Gezeichneten wurde %1-mal das Ende weggelassen, weil der Platz fehlte.</translation>
+    </message>
+    <message>
+        <source>▲ %1, %L2 s behind the hand</source>
+        <translation>▲ %1, %L2 s hinter der Hand</translation>
+    </message>
+    <message>
+        <source>The picture comes so long after mouse and keys: move a little, and wait for it. Smaller windows and fewer insets are quicker.</source>
+        <translation>Das Bild kommt so lange nach Maus und Tasten: wenig bewegen und auf das Bild warten. Kleinere Fenster und weniger kleine Ansichten gehen schneller.</translation>
     </message>
 </context>
 <context>

@@ -279,7 +279,7 @@ TEST_F(GermanReview, NoTitleOfATabIsCutAt1024) {
   ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
   const QTabBar* bar = tabs->tabBar();
   EXPECT_TRUE(eventually([&] { return bar->width() >= bar->sizeHint().width(); })) << bar->width() << " of " << bar->sizeHint().width() << " px";
-  EXPECT_LE(window->minimumSizeHint().width(), 1024);
+  EXPECT_LE(review()->minimumSizeHint().width(), 1000) << "or the page is to be scrolled sideways";
 }
 
 }  // namespace
