@@ -14,6 +14,7 @@
 
 #include "console/app/language.hpp"
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/rating_panel.hpp"
 #include "record/recorder.hpp"
@@ -106,6 +107,17 @@ TEST(GermanRatings, TellTheirSourceInGerman) {
     EXPECT_TRUE(scale.source.contains("angenommen")) << scale.source.toStdString();
     EXPECT_FALSE(scale.source.contains("assumed")) << scale.source.toStdString();
   }
+}
+
+// why the host ended an attempt (framework/session/run_result.cpp)
+TEST(GermanRatings, TellWhyAnAttemptEnded) {
+  const std::vector<std::string> ids = {"stopped", "time.limit", "hand.ended", "host.quarantined", "host.impossible"};
+  std::vector<QString> english;
+  for (const std::string& id : ids) english.push_back(console::said_id(id));
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  for (size_t i = 0; i < ids.size(); ++i) EXPECT_NE(console::said_id(ids[i]), english[i]) << ids[i];
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
