@@ -61,7 +61,9 @@ Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalo
 QString number_words(const host::Param& p, double value) {
   const std::string& unit = p.display_unit == "%" ? p.display_unit : p.unit;
   const base::Shown as = base::shown_unit(value, unit);
-  return with_unit(QLocale().toString(value * as.factor, 'g', 4), as.unit);
+  const double shown = value * as.factor;
+  const int digits = std::abs(shown) < 1e4 ? 4 : 15;  // four digits of a whole number beyond would be shown with an exponent
+  return with_unit(QLocale().toString(shown, 'g', digits), as.unit);
 }
 
 // A text, or names of objects: each is translated by the lesson's own words.

@@ -42,6 +42,8 @@ AttemptChooser::AttemptChooser(const std::vector<record::AttemptRow>& attempts, 
     entry->setData(Qt::UserRole, QString::fromStdString(a.id));
   }
   list_->setCurrentRow(0);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* which = make_muted(tr("Attempts at this lesson, of everybody: those at another lesson have nothing to be compared."), this);
   which->setVisible(list_->count() > 0);
   column->addWidget(which);

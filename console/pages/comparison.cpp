@@ -40,6 +40,7 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   view_->setObjectName(QStringLiteral("other_view"));
   view_->setAccessibleName(tr("The other attempt, replayed"));
   view_->set_whole_width(kWholeShape);
+  view_->setMinimumWidth(kLeastPair_px);
   column->addWidget(view_, 1);
   problem_ = make_muted({}, this);
   problem_->setObjectName(QStringLiteral("other_problem"));

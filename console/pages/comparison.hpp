@@ -16,6 +16,9 @@
 
 namespace swage::console {
 
+/// Least width of either of two pictures: both and the tables beside them fit a screen of 1024 pixels. Alone a picture is 320 wide at least.
+inline constexpr int kLeastPair_px = 270;
+
 /// An event of both attempts, and the time of its first occurrence in each.
 struct CommonEvent {
   QString id, what;

@@ -19,6 +19,7 @@ ReviewPictures::ReviewPictures(const ReviewedAttempt& attempt, QWidget* parent)
   view_->setObjectName(QStringLiteral("review_view"));
   view_->setAccessibleName(tr("The attempt, replayed"));
   view_->set_whole_width(kWholeShape);
+  view_->setMinimumWidth(kLeastPair_px);
   views_ = {view_};
   row_ = new QHBoxLayout;
   row_->setSpacing(8);

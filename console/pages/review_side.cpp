@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/review_side.hpp"
 
+#include <QEvent>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "console/pages/rating_panel.hpp"
@@ -18,9 +20,8 @@ ReviewSide::ReviewSide(QWidget* parent) : QWidget(parent) {
   tabs_->setObjectName(QStringLiteral("review_tabs"));
   tabs_->setAccessibleName(tr("Metrics, events, traces"));
   tabs_->setDocumentMode(true);
-  // on a small screen tab titles are elided, so that no tab is hidden behind an arrow
+  // no tab is hidden behind an arrow, and the page leaves room for every title
   tabs_->setUsesScrollButtons(false);
-  tabs_->setElideMode(Qt::ElideRight);
   tabs_->addTab(make_metrics(), tr("&Metrics"));
   tabs_->addTab(worst_ = new WorstTable(tabs_), tr("&Worst"));
   tabs_->setTabToolTip(1, tr("Worst moments"));
@@ -40,6 +41,14 @@ ReviewSide::ReviewSide(QWidget* parent) : QWidget(parent) {
   connect(worst_, &WorstTable::loop, this, &ReviewSide::loop);
   connect(traces_, &TracesList::shown, this, &ReviewSide::traces_shown);
   connect(ratings_, &RatingPanel::rated, this, &ReviewSide::rated);
+}
+
+// how wide the titles are is known once fonts and style are
+bool ReviewSide::event(QEvent* event) {
+  const bool done = QWidget::event(event);
+  if (event->type() == QEvent::Show || event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+    tabs_->setMinimumWidth(tabs_->tabBar()->sizeHint().width());
+  return done;
 }
 
 // The table, and below it what the lesson asks of the chosen metric: a tooltip is not reached by keys.
@@ -79,6 +88,7 @@ void ReviewSide::fill(const Review& review, const record::Recording& recording, 
   tabs_->setTabVisible(tabs_->indexOf(track_), track.has_value());
   worst_->fill(worst);
   tabs_->setTabVisible(tabs_->indexOf(worst_), !worst.isEmpty());
+  tabs_->setMinimumWidth(tabs_->tabBar()->sizeHint().width());
   traces_->fill(review.traces);
 }
 

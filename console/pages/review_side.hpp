@@ -49,6 +49,7 @@ class ReviewSide : public QWidget {
   void rated(const QString& item_id, std::optional<double> points);
 
  private:
+  bool event(QEvent* event) override;
   QWidget* make_metrics();
 
   MetricsTable* metrics_;

@@ -50,13 +50,31 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   graphics_ = add("graphics");
 }
 
+void StatusStrip::set_graphics(const QString& text) {
+  picture_ = text;
+  show_graphics();
+}
+
+void StatusStrip::show_graphics() {
+  const bool late = behind_s_ > 0 && !idle_;
+  graphics_->setText(late ? tr("▲ %1, %L2 s behind the hand").arg(picture_).arg(behind_s_, 0, 'f', 1) : picture_);
+  graphics_->setToolTip(late ? tr("The picture comes so long after mouse and keys: move a little, and wait for it. Smaller windows and fewer insets are quicker.") : QString());
+}
+
 void StatusStrip::set_idle(const QString& text) {
+  idle_ = true;
+  show_graphics();
   loop_->setText(text);
   device_->clear();
   recording_->clear();
 }
 
 void StatusStrip::show_frames(const FrameTimes& frames, const FrameTimes& latency) {
+  constexpr double kLate_s = 0.4;  // a hand led by the eye stops and waits from about here on; a picture drawn by a graphics card takes a tenth
+  constexpr size_t kRecent = 5;    // movements
+  const double behind_s = latency.recent(kRecent);
+  behind_s_ = behind_s > kLate_s ? behind_s : 0;
+  show_graphics();
   if (!frames_shown()) return;
   const double half = frames.share(0.5), worst = frames.share(0.99);
   if (frames.count() == 0) return frames_->setText(tr("No picture yet"));
@@ -73,6 +91,7 @@ void StatusStrip::show_frames(const FrameTimes& frames, const FrameTimes& latenc
 void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::SceneCard& card,
                               double steps_per_s, bool recording) {
   const snapshot::LoopHealth& h = s.health;
+  idle_ = false;
   const bool on_time = h.late == 0 && h.dropped == 0;
   const bool fine = on_time && h.quarantined == 0 && h.solver.steps == 0 && h.visuals.faulty == 0;
   QString loop = tr("%1  %2 steps/s, worst %L3 ms, %4 late")

@@ -18,14 +18,20 @@ class StatusStrip : public QWidget {
   void set_idle(const QString& text);
   void show_health(const snapshot::Snapshot& snapshot, const snapshot::SceneCard& card, double steps_per_s,
                    bool recording);
-  void set_graphics(const QString& text) { graphics_->setText(text); }
-  /// Frame rate, and the latency from a movement to the frame that shows it; only while frames_shown().
+  void set_graphics(const QString& text);
+  /// Frame rate, and the latency from a movement to the frame that shows it; only while frames_shown(). A picture that comes so late that a
+  /// hand cannot be led by it is told always, while a lesson runs.
   void show_frames(const FrameTimes& frames, const FrameTimes& latency);
   void set_frames_shown(bool shown) { frames_->setVisible(shown); }
   bool frames_shown() const { return !frames_->isHidden(); }
   QString text() const;
 
  private:
+  void show_graphics();
+
+  QString picture_;    // what draws the picture
+  double behind_s_ = 0;  // how late it comes; 0: in time
+  bool idle_ = true;
   QLabel *loop_, *device_, *recording_, *frames_, *graphics_;
 };
 

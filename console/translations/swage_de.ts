@@ -2820,10 +2820,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>aus</translation>
     </message>
     <message>
-        <source>What you change here is written into the lesson; all else stays as it is.</source>
-        <translation>Was Sie hier ändern, wird in die Lektion geschrieben; alles andere bleibt, wie es ist.</translation>
-    </message>
-    <message>
         <source>Nothing of this lesson may be changed while it runs.</source>
         <translation>Nichts an dieser Lektion darf geändert werden, während sie läuft.</translation>
     </message>
@@ -2846,6 +2842,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>by </source>
         <translation>mal </translation>
+    </message>
+    <message>
+        <source>What you change here is written into the lesson; all else stays as it is. Values that are rarely changed are found by their name.</source>
+        <translation>Was Sie hier ändern, wird in die Lektion geschrieben; alles andere bleibt, wie es ist. Selten geänderte Werte findet man über ihren Namen.</translation>
     </message>
 </context>
 <context>
@@ -4515,8 +4515,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Leertaste halten: die Backen schließen, B: öffnen</translation>
     </message>
     <message>
-        <source>Hold T: drive the needle</source>
-        <translation>T halten: die Nadel führen</translation>
+        <source>Hold T: drive the needle, once its point stands square to the tissue</source>
+        <translation>T halten: die Nadel führen, sobald ihre Spitze senkrecht zum Gewebe steht</translation>
     </message>
     <message>
         <source>F7: put it back</source>
@@ -5342,6 +5342,14 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Of what is drawn the end was left out %1 times, for lack of room.</source>
         <translation>Vom Gezeichneten wurde %1-mal das Ende weggelassen, weil der Platz fehlte.</translation>
+    </message>
+    <message>
+        <source>▲ %1, %L2 s behind the hand</source>
+        <translation>▲ %1, %L2 s hinter der Hand</translation>
+    </message>
+    <message>
+        <source>The picture comes so long after mouse and keys: move a little, and wait for it. Smaller windows and fewer insets are quicker.</source>
+        <translation>Das Bild kommt so lange nach Maus und Tasten: wenig bewegen und auf das Bild warten. Kleinere Fenster und weniger kleine Ansichten gehen schneller.</translation>
     </message>
 </context>
 <context>

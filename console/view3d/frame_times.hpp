@@ -42,6 +42,15 @@ class FrameTimes {
     return *at;
   }
 
+  /// The median of the last `n` intervals (at most 9), s; 0 while there are fewer.
+  double recent(size_t n) const {
+    if (count() < n || n == 0) return 0;
+    std::array<double, 9> last{};
+    for (size_t i = 0; i < n; ++i) last[i] = s_[(next_ - 1 - i) % s_.size()];
+    std::sort(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(n));
+    return last[n / 2];
+  }
+
  private:
   static constexpr size_t kKept = 300;
   static constexpr double kRest_s = 1;  // a longer gap is not counted as an interval

@@ -60,7 +60,7 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   if (hints_.close) all += tr("Hold Space: close the jaws, B: open them");
   if (hints_.open) all += tr("Hold B: open the jaws");
   if (nothing_to_drive_) all += tr("No bent needle is at the tips that could be driven");
-  if (hints_.drive) all += tr("Hold T: drive the needle");
+  if (hints_.drive) all += tr("Hold T: drive the needle, once its point stands square to the tissue");
   return all.join(QString::fromUtf16(kHintGap));
 }
 

@@ -64,6 +64,7 @@ void LiveForm::set_params(const QVector<LiveParam>& params) {
   }
   column_->insertWidget(1, body_);
   for (const Field& field : fields_) take_start(field);
+  find({});
   set_running(running_);
 }
 
@@ -223,7 +224,7 @@ void LiveForm::set_running(bool running) {
   for (const Field& field : fields_) enable(field);
   if (of_ == Of::kVariant)
     return explain_->setText(
-        tr("What you change here is written into the lesson; all else stays as it is."));
+        tr("What you change here is written into the lesson; all else stays as it is. Values that are rarely changed are found by their name."));
   explain_->setText(fields_.isEmpty() ? tr("Nothing of this lesson may be changed while it runs.")
                     : running         ? tr("A change acts at once and is recorded.")
                                       : tr("Can be changed while the lesson runs."));
@@ -281,7 +282,8 @@ bool LiveForm::find(const QString& text) {
   QHash<QLabel*, bool> any;
   for (const Field& field : fields_) {
     const bool of_part = names ? field.heading->text().split(QLatin1Char(' ')).contains(text, Qt::CaseInsensitive) : part_named(field);
-    const bool shown = text.isEmpty() || named(field) || of_part || (!names && !parts && explained(field));
+    const bool rare = field.param.param.hidden() && field.value == field.param.start;
+    const bool shown = text.isEmpty() ? !rare : named(field) || of_part || (!names && !parts && explained(field));
     field.label->setVisible(shown);
     field.back->setVisible(shown);
     for (QWidget* editor : field.editors) editor->setVisible(shown);

@@ -40,7 +40,8 @@ class LiveForm : public QFrame {
   int preset(const QVector<Change>& values);
   /// The title of the parameter with this id, of this part of the lesson or of any; "" where the form has none, or several.
   QString title_of(const std::string& id, const std::string& instance = {}) const;
-  /// Shows only the lines whose title, section or part's name contains the text, or where none does, whose explanation does; all for "".
+  /// Shows only the lines whose title, section or part's name contains the text, or where none does, whose explanation does; all for "",
+  /// but for hidden parameters that are as the lesson has them.
   /// Returns whether any match.
   bool find(const QString& text);
 

@@ -68,8 +68,10 @@ QValidator::State NumberBox::validate(QString& text, int&) const {
 }
 
 QString NumberBox::with_unit(double value) const {
-  QString number = QLocale().toString(value, 'f', decimals());
-  const QString point = QLocale().decimalPoint();
+  QLocale language;
+  language.setNumberOptions(QLocale::OmitGroupSeparator);  // as in the field
+  QString number = language.toString(value, 'f', decimals());
+  const QString point = language.decimalPoint();
   while (number.contains(point) && (number.endsWith(QLatin1Char('0')) || number.endsWith(point))) {
     const bool whole = number.endsWith(point);
     number.chop(1);

@@ -166,7 +166,7 @@ TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
   draw.type = SWAGE_PARAM_REAL;
   draw.id = draw.label = "draw";
   draw.unit = draw.display_unit = "N";
-  draw.max = 1;
+  draw.max = 1e5;
   draw.default_number = {1e-4, 0, 0, 0};
   host::PluginInfo plugin;
   plugin.kind = SWAGE_KIND_LESSON;
@@ -180,6 +180,7 @@ TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
   EXPECT_EQ(said("{}"), QStringList({QStringLiteral("At least 0.1%1mN.").arg(QChar(0x202f))}));
   EXPECT_EQ(said(R"({"draw": "0.02 N"})"), QStringList({QStringLiteral("At least 0.02%1N.").arg(QChar(0x202f))}));
   EXPECT_EQ(said(R"({"draw": "0 N"})"), QStringList({QStringLiteral("At least 0%1N.").arg(QChar(0x202f))}));
+  EXPECT_EQ(said(R"({"draw": "36000 N"})"), QStringList({QStringLiteral("At least 36000%1N.").arg(QChar(0x202f))})) << "and not 3.6E+04";
 }
 
 // A sentence on a text parameter applies if the text is set; 055's criterion on posts was missing.

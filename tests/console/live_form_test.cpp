@@ -144,6 +144,19 @@ TEST_F(LiveFormRows, FindASectionAndAWordOfAnExplanation) {
   EXPECT_FALSE(form.find("xyz"));
 }
 
+TEST_F(LiveFormRows, WhatIsRarelyChangedIsFoundByItsName) {
+  LiveParam rare = row(SWAGE_PARAM_REAL, "lesson", "drop_distance", "Drop distance", "When it fell.");
+  rare.param.flags = SWAGE_PARAM_HIDDEN;
+  show({row(SWAGE_PARAM_REAL, "lesson", "lift", "Lift", "How far."), rare});
+  EXPECT_FALSE(visible("lesson_drop_distance_0"));
+  EXPECT_TRUE(visible("lesson_lift_0"));
+  EXPECT_TRUE(form.find("drop"));
+  EXPECT_TRUE(visible("lesson_drop_distance_0"));
+  editor<QDoubleSpinBox>("lesson_drop_distance_0")->setValue(3);
+  form.find({});
+  EXPECT_TRUE(visible("lesson_drop_distance_0")) << "it is another than the lesson's";
+}
+
 // What the window tells a device itself, such as the circle of a held needle, is no line of the form during an attempt.
 TEST(LiveParams, ShowNoHiddenOnesDuringAnAttempt) {
   host::Catalogue::Options nothing;

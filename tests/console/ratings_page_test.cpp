@@ -6,12 +6,15 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <algorithm>
 
 #include "console/app/language.hpp"
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/rating_panel.hpp"
 #include "record/recorder.hpp"
@@ -104,6 +107,17 @@ TEST(GermanRatings, TellTheirSourceInGerman) {
     EXPECT_TRUE(scale.source.contains("angenommen")) << scale.source.toStdString();
     EXPECT_FALSE(scale.source.contains("assumed")) << scale.source.toStdString();
   }
+}
+
+// why the host ended an attempt (framework/session/run_result.cpp)
+TEST(GermanRatings, TellWhyAnAttemptEnded) {
+  const std::vector<std::string> ids = {"stopped", "time.limit", "hand.ended", "host.quarantined", "host.impossible"};
+  std::vector<QString> english;
+  for (const std::string& id : ids) english.push_back(console::said_id(id));
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  for (size_t i = 0; i < ids.size(); ++i) EXPECT_NE(console::said_id(ids[i]), english[i]) << ids[i];
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
@@ -250,6 +264,34 @@ TEST_F(RatingPages, BothPicturesSayThatTheyAreOnTheWay) {
   ASSERT_TRUE(eventually([&] { return review()->view()->words().clock.contains("on the way to 00:50"); }));
   EXPECT_TRUE(eventually([&] { return review()->comparison()->view()->words().clock.contains("on the way to"); }))
       << review()->comparison()->view()->words().clock.toStdString();
+}
+
+// On a projector of 1024 x 768 each title of a tab can be read, and the choice of another attempt is not wider than its dialog.
+class GermanReview : public RatingPages {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+    RatingPages::SetUp();
+  }
+  void TearDown() override {
+    window.reset();
+    console::use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+};
+
+TEST_F(GermanReview, NoTitleOfATabIsCutAt1024) {
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  auto* tabs = child<QTabWidget>("review_tabs");
+  window->resize(1024, 768);
+  for (int i = 0; i < tabs->count(); ++i) tabs->setTabVisible(i, true);
+  QEvent style(QEvent::StyleChange);
+  QApplication::sendEvent(tabs->parentWidget(), &style);
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  const QTabBar* bar = tabs->tabBar();
+  EXPECT_TRUE(eventually([&] { return bar->width() >= bar->sizeHint().width(); })) << bar->width() << " of " << bar->sizeHint().width() << " px";
+  EXPECT_LE(review()->minimumSizeHint().width(), 1000) << "or the page is to be scrolled sideways";
 }
 
 }  // namespace

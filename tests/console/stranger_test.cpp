@@ -79,7 +79,10 @@ TEST(Stranger, IsToldHowOftenF11LeadsToTheSide) {
   hints.side = 1;
   input.set_hints(hints);
   EXPECT_TRUE(input.hint(true, false, false).startsWith("F11: look from the side"));
-  hints.side = 3;
+  hints.drive = true;
+  input.set_hints(hints);
+  EXPECT_TRUE(input.hint(true, false, false).contains("square to the tissue")) << "at the mark alone the point may slide off";
+  hints.side = 3, hints.drive = false;
   input.set_hints(hints);
   EXPECT_TRUE(input.hint(true, false, false).startsWith("F11, 3 times: look from the side"));
 }
@@ -252,6 +255,23 @@ TEST(Stranger, FindsTheCuesOfAPluginInLegendAndHelp) {
   const HelpDialog help(theme, nullptr);
   const QList<QLabel*> labels = help.findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == "The lamp is lit"; }));
+}
+
+// On a machine that draws slowly the loop is on time and the picture is not: that is told, while a lesson runs.
+TEST(Stranger, IsToldThatThePictureIsBehindTheHand) {
+  StatusStrip strip;
+  strip.set_graphics("Picture: x");
+  const auto* graphics = strip.findChild<QLabel*>("graphics");
+  strip.show_health(snapshot::Snapshot(), snapshot::SceneCard(), 1000, true);
+  FrameTimes frames, latency;
+  for (int i = 0; i < 5; ++i) latency.add_time(0.15);
+  strip.show_frames(frames, latency);
+  EXPECT_EQ(graphics->text(), "Picture: x");
+  for (int i = 0; i < 5; ++i) latency.add_time(1.2);
+  strip.show_frames(frames, latency);
+  EXPECT_EQ(graphics->text(), QString::fromUtf8("▲ Picture: x, 1.2 s behind the hand"));
+  strip.set_idle("Ready");
+  EXPECT_EQ(graphics->text(), "Picture: x");
 }
 
 // What a plugin draws and nobody can is told in the strip: of whom, and which part.
