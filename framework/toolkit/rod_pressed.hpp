@@ -10,7 +10,10 @@
 // Header-only, part of rod.hpp. Threads: [rt].
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "toolkit/rod.hpp"
 
 namespace swage::toolkit {
 
