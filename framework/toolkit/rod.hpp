@@ -248,6 +248,8 @@ class Rod {
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns);
   bool pressed() const;
   bool keeps_inertia(const double* columns);
+  void count_as_stretched();
+  void stiffen_pressed(const RodState& s, const RodLoad& load, double* columns);
   void shift_diagonal(int stiffer, double* columns);
   bool factor(const RodState& s, const RodLoad& load);
   void slow_turns(const RodState& s, double* columns);

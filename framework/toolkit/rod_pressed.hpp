@@ -39,4 +39,21 @@ inline bool Rod::keeps_inertia(const double* columns) {
   return tried_.factor();
 }
 
+inline void Rod::count_as_stretched() {
+  for (double& T : tension_) T = std::abs(T);
+}
+
+/// Stiffens a pressed system until it keeps that share, by the means of factor() and in their order: rotations, then compressed edges.
+inline void Rod::stiffen_pressed(const RodState& s, const RodLoad& load, double* columns) {
+  if (keeps_inertia(columns)) return;
+  if (!slow_) {
+    slow_ = true;
+    slow_turns(s, columns);
+    if (keeps_inertia(columns)) return;
+  }
+  count_as_stretched();
+  system(s, load, columns);
+  slow_turns(s, columns);
+}
+
 }  // namespace swage::toolkit

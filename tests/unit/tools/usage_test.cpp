@@ -19,7 +19,7 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
 }
 
 TEST_F(Usage, VerbsAreNamed) {
-  expect_refused({}, say::kSayVerb("swage") + say::kVerbs.words(0) + "run, study, replay, validate,");
+  expect_refused({}, say::kSayVerb("swage") + say::kVerbs.words(0) + "run, study, replay, pull, validate,");
   expect_refused({"runn", "x.json"},
                  say::kNoVerb("swage", "runn", host::did_you_mean("runn", {"run"})) + say::kVerbs.words(0) + "run, study, replay,");
   expect_refused({"attempts"}, say::kSayVerb("attempts") + say::kVerbs("list, import, backup, restore, salvage, export, send, void, name, note"));
