@@ -18,11 +18,6 @@ static_assert(toolkit::Band<10>::kStride == SWAGE_BAND_COLUMN && SWAGE_BAND_REAC
 namespace {
 constexpr uint32_t kBack = (SWAGE_BAND_REACH + SWAGE_BAND_UNKNOWNS - 1) / SWAGE_BAND_UNKNOWNS;  // vertices within reach
 
-/// Way of a vertex in a step without contacts, from where it would go on to, beyond which A is nearly singular [m]: 10 m/s of a step of 1 ms, ten times
-/// what a thread that snaps does. A strand that is pressed together by some uN has such an A now and then, positive definite by its last digits, and
-/// one step threw its middle by 87 mm. Smaller: what snaps is slowed down. Greater: it is thrown farther before it is seen.
-constexpr double kMostWay = 10e-3;
-
 /// True when all numbers are finite: 0 x is 0 except for infinity and NaN, in whatever order the sum is taken.
 bool finite(const double* x, size_t n) noexcept {
   return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
@@ -61,17 +56,10 @@ bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
     }
     line(free_.data()) = -line(gradient_.data());
     solve(free_.data());
-    if (stiffer < SWAGE_BAND_STIFFER && goes_far()) continue;
     has_blocks_ = false;
     std::fill(column_from_.begin(), column_from_.end(), vertices_);
     return true;
   }
-  return false;
-}
-
-bool BandedBody::goes_far() const noexcept {
-  for (size_t i = 0; i < free_.size(); i += kUnknowns)
-    if (!(Eigen::Map<const Vec3>(free_.data() + i).squaredNorm() <= kMostWay * kMostWay)) return true;
   return false;
 }
 

@@ -77,8 +77,6 @@ class BandedBody {
   /// All unknowns at once, two in a register.
   Eigen::Map<Eigen::VectorXd> line(double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
   Eigen::Map<const Eigen::VectorXd> line(const double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
-  /// True when a vertex would go farther in the step without contacts than any does.
-  bool goes_far() const noexcept;
   void hold() noexcept;
   void take_factors() noexcept;
   void solve(double* x) const noexcept;

@@ -246,10 +246,6 @@ class Rod {
   SWAGE_FOURS void add_inertia_by_fours(const RodState& s, const RodLoad& load, double* hessian) { add_inertia(Fours{}, s, load, hessian); }
   void system(const RodState& s, const RodLoad& load, double* hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns);
-  bool pressed() const;
-  bool keeps_inertia(const double* columns);
-  void count_as_stretched();
-  void stiffen_pressed(const RodState& s, const RodLoad& load, double* columns);
   void shift_diagonal(int stiffer, double* columns);
   bool factor(const RodState& s, const RodLoad& load);
   void slow_turns(const RodState& s, double* columns);
@@ -270,7 +266,7 @@ class Rod {
   RodClamp clamp_[2];
 
   // of the present step
-  Matrix A_, tried_;
+  Matrix A_;
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
   std::vector<double> diagonal_;  // of A_, before it was shifted
   mutable RodEdges now_, next_;  // of a state, and after a change
@@ -287,5 +283,4 @@ class Rod {
 #include "toolkit/rod_derivatives.hpp"
 #include "toolkit/rod_energy.hpp"
 #include "toolkit/rod_surroundings.hpp"
-#include "toolkit/rod_pressed.hpp"
 #include "toolkit/rod_step.hpp"

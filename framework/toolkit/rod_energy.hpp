@@ -23,7 +23,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   held_.assign(at(n_), 0);
   turn_held_.assign(at(edges()), 0);
   cut_.assign(at(edges()), 0);
-  A_ = tried_ = Matrix(unknowns());
+  A_ = Matrix(unknowns());
   x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_)), pushed_.resize(3 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
   diagonal_.resize(at(unknowns()));

@@ -139,13 +139,13 @@ inline bool Rod::factor(const RodState& s, const RodLoad& load) {
   return false;
 }
 
-/// Assembles the system, stiffened to make it definite; `stiffer` 0: as it is, but for one that is pressed so that it would buckle in the step.
+/// Assembles the system, stiffened to make it definite; `stiffer` 0: as it is.
 inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int stiffer, double* columns) {
   if (stiffer > 0) slow_ = true;
-  if (stiffer > 1) count_as_stretched();
+  if (stiffer > 1)
+    for (double& T : tension_) T = std::abs(T);
   system(s, load, columns);
   if (slow_) slow_turns(s, columns);
-  if (stiffer < 2 && pressed()) stiffen_pressed(s, load, columns);
   for (int k = 0; stiffer > 1 && k < unknowns(); ++k) diagonal_[at(k)] = *column(columns, k);
   shift_diagonal(stiffer, columns);
 }

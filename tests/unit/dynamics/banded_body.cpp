@@ -3,7 +3,6 @@
 // Threads solved as bands move like threads solved by the mobility of their points: alone, in contact with each other and with
 // bodies, and one of each kind.
 #include <gtest/gtest.h>
-#include <swage/abi/band.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,38 +228,6 @@ TEST(BandedBody, IsTheSameFromEitherEnd) {
       EXPECT_GT(size, 0);
       for (uint32_t k = 16 * least; k < 16 * (most + 1); ++k) EXPECT_NEAR(p[k], q[k], 1e-9 * size) << vertex << ' ' << k;
     }
-}
-
-/// A chain whose first stiffness is positive definite by its last digits, as of a strand that is pressed together; each stiffer one is 1 N/m.
-struct Pressed final : FlexibleBody {
-  explicit Pressed(double first) : softest(first) {}
-  uint32_t object() const noexcept override { return 0; }
-  bool mobility(std::span<const swage_contact_point>, double*, double*) noexcept override { return false; }
-  void apply_impulses(std::span<const swage_contact_point>, const double*) noexcept override {}
-  bool banded() const noexcept override { return true; }
-  bool linearise(uint32_t stiffer, double* stiffness, double* gradient) noexcept override {
-    asked = stiffer;
-    for (uint32_t k = 0; k < kVertices * BandedBody::kUnknowns; ++k) stiffness[k * SWAGE_BAND_COLUMN] = stiffer == 0 ? softest : 1, gradient[k] = -kForce;
-    return true;
-  }
-  static constexpr uint32_t kVertices = 3;
-  static constexpr double kForce = 1e-6;  // N
-  const double softest;                   // N/m
-  uint32_t asked = 0;
-};
-
-// a step that throws a vertex farther than anything goes is taken with a stiffer matrix, as one that cannot be factored
-TEST(BandedBody, IsNotThrownByAMatrixThatIsNearlySingular) {
-  for (const auto& [way, stiffer] : {std::pair{87e-3, 1u}, {5e-3, 0u}}) {  // m
-    Pressed body(Pressed::kForce / way);
-    BandedBody band(0, Pressed::kVertices);
-    band.begin();
-    ASSERT_TRUE(band.linearise(body));
-    EXPECT_EQ(body.asked, stiffer) << way;
-    std::vector<double> d(band.unknowns());
-    band.to_free(d.data());
-    EXPECT_NEAR(d[0], stiffer == 0 ? way : Pressed::kForce, 1e-12) << "m";
-  }
 }
 
 }  // namespace banded_body_test

@@ -213,52 +213,5 @@ TEST(Rod, BentSharplyAgainstWhatItRemembersHasALinearStep) {
   }
 }
 
-/// How far a straight rod that is pressed together goes under small forces across itself in a step of 1 ms, over how far its free mass would: the
-/// greatest over the waves with 1 to 12 halves.
-double compliance(double pressed_by) {
-  constexpr int kNodes = 49;
-  constexpr double kLength = 30e-3, h = 1e-3;
-  const double l = kLength / (kNodes - 1);
-  Rod rod(kNylon, std::vector<double>(kNodes - 1, l));
-  std::vector<double> numbers(RodState::size(kNodes));
-  RodState s(kNodes, numbers.data());
-  for (int i = 0; i < kNodes; ++i) Eigen::Map<Vec3>(s.x + 3 * i) = Vec3(i * l * (1 - pressed_by / kNylon.stretching), 0, 0);
-  rod.start(s);
-  RodLoad load;
-  load.h = h;
-  rod.prepare(s, load);
-  if (!rod.linearise(s, load)) return HUGE_VAL;
-  double most = 0;
-  for (int halves = 1; halves <= 12; ++halves) {
-    std::vector<double> force(static_cast<size_t>(rod.unknowns()), 0.0);
-    for (int i = 0; i < kNodes; ++i) force[static_cast<size_t>(4 * i + 2)] = 1e-9 * std::cos(std::numbers::pi * halves * i / (kNodes - 1));
-    std::vector<double> way = force;
-    rod.matrix().solve(way.data());
-    double work = 0, free = 0;
-    for (int i = 0; i < kNodes; ++i) {
-      const auto k = static_cast<size_t>(4 * i + 2);
-      const double m = kNylon.mass * l * (i == 0 || i == kNodes - 1 ? 0.5 : 1);
-      work += force[k] * way[k], free += force[k] * force[k] * h * h / m;
-    }
-    most = std::max(most, work / free);
-  }
-  return most;
-}
-
-// Pressed by sqrt(E I m) / h = 3.5 uN and more a rod is about to buckle within the step, at its ends first: its matrix is positive by its last digits at some load, and a
-// small force threw a thread by 87 mm. It gives way by ten times its free mass at most (rod_pressed.hpp).
-TEST(Rod, GivesWayByNoMoreThanTenTimesItsMassHoweverItIsPressed) {
-  const double buckles = std::sqrt(kNylon.bending * kNylon.mass) / 1e-3;  // N
-  EXPECT_NEAR(buckles, 3.5e-6, 0.1e-6);
-  double most = 0, before = 0;
-  for (double load = 1e-7; load < 1e-3; load *= 1.002) {
-    const double now = compliance(load);
-    most = std::max(most, now);
-    if (load < 0.9 * buckles) before = std::max(before, now);
-  }
-  EXPECT_LE(most, 10);
-  EXPECT_GT(before, 2) << "below that it softens as it should";
-}
-
 }  // namespace
 }  // namespace swage::toolkit
