@@ -17,7 +17,6 @@ namespace swage::console {
 namespace {
 
 constexpr double kMilli = 1e-3;
-constexpr double kLoad_N = 0.1;  // that a knot of the series is to bear
 // ms between two pictures, and of stepping in each: a step takes some 0.6 ms, so that 5 s of the pull take about 5 s
 constexpr int kPicture_ms = 40, kStepping_ms = 30;
 // The knot and both pins as the loop is drawn apart by 1 mm, in a picture of some 8 mm.
@@ -95,7 +94,7 @@ QWidget* PullDialog::make_side() {
   column->addStretch(1);
   auto* form = new QFormLayout;
   load_ = number("pull_load", QStringLiteral("mN"), 1, 10000, 10, 0);
-  load_->setValue(kLoad_N / kMilli);
+  load_->setValue(wish_.load_N / kMilli);
   form->addRow(tr("&Load"), load_);
   friction_ = number("pull_friction", {}, 0.01, 3, 0.05, 2);
   friction_->setToolTip(tr("Of the thread on itself: nylon has 0.1 to 0.3"));

@@ -8,7 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <optional>
 #include <set>
 
 #include "assembly/lesson_file.hpp"

@@ -77,7 +77,7 @@ TEST(Thread, BelowAnEarthedPlaneIsNotDrawn) {
   constexpr double q = 0.5e-9, h = 1e-3;
   const double drawn = pushed(q, "", 40, 20, -h).norm();
   EXPECT_LT(pushed(q, "", 40, 20, h).norm(), 1e-4 * drawn);
-  // its middle crosses the plane: the images of the lower half would lie 22 um beside the upper one, at a force of 20 times its weight
+  // its middle crosses the plane: the images of the lower half would lie within the upper one and push it aside, with twice its weight
   const double crossing = pushed(q, "0 0 10, 0.02 0 -10 mm", 40, 19, 0).head<2>().norm();
   EXPECT_LT(crossing, 0.1 * drawn);
 }
