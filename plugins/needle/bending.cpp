@@ -239,8 +239,10 @@ void Bending::advance(const Step& step) {
   const Rigid start = weigh(static_cast<int>(s.base));
   fly(step, start);
   if (s.held != 0) {
-    const swage_twist& V = step->V_WB[0];
-    const Vec3 w = vec(V.w), arm = start.centre - X0_WB0_.p;
+    // The base, on which contacts push, moves with the whole; an arm that springs back does not.
+    const uint32_t base = body_of(static_cast<int>(s.base));
+    const swage_twist& V = step->V_WB[base];
+    const Vec3 w = vec(V.w), arm = start.centre - vec(step->X_WB[base].p);
     carry(step, {vec(V.v) + w.cross(arm), w}, start);
     spin_by_loads(step);
     put(whole_.inertia * w, s.L);

@@ -45,6 +45,18 @@ TEST(InterruptedSuture, TheExpertSewsThreeEqualStitchesAndCutsThemOff) {
   EXPECT_EQ(expert.engine().quarantined(), 0u);
 }
 
+// At 4.06 s the needle, pinched and pressed on the tissue until it is bent, comes loose at one end and springs back. It was thrown out of the scene.
+TEST(InterruptedSuture, ANeedleThatSpringsBackStaysInItsHolder) {
+  LessonRun attempt(kLesson, "novice", {"seed=10"});
+  ASSERT_EQ(attempt.problems(), "");
+  while (attempt.outcome() == "running" && attempt.world().time() < 4.2) {
+    attempt.step();
+    ASSERT_LT(toolkit::vec(attempt.world().V_WB[attempt.body("needle")].v).norm(), 0.5) << "m/s at " << attempt.world().time() << " s";
+  }
+  EXPECT_EQ(attempt.engine().quarantined(), 0u);
+  EXPECT_EQ(base::text(attempt.engine().stats().health), "");
+}
+
 TEST(InterruptedSuture, OneMouseLeadsNeedleAndScissors) {
   expect_one_mouse_leads(kLesson);
 }
