@@ -10,6 +10,25 @@ namespace swage::dynamics {
 
 using scene::kNone;
 
+namespace {
+
+/// True when the contact's plane is that of a flat face, of which the displacement does not lead away over an edge.
+bool stays_over_face(const scene::World& world, const contact::Contact& c, const contact::Candidate& at, const Vec3& off) noexcept {
+  using Kind = contact::Feature::Kind;
+  const bool of_b = at.b.kind == Kind::kPlane;
+  if (!of_b && at.a.kind != Kind::kPlane) return false;
+  const scene::Shape& shape = world.shape[of_b ? c.shape_b : c.shape_a];
+  if (shape.kind != SWAGE_SHAPE_CONVEX) return false;
+  const toolkit::Pose X_SW = (toolkit::Pose(world.X_WB[shape.body]) * toolkit::Pose(shape.X_BS)).inverse();
+  const Vec3 p = X_SW * c.p_W, way = X_SW.q * off, outward = X_SW.q * Vec3(of_b ? c.n_W : Vec3(-c.n_W));
+  constexpr double kSame = 1 - 1e-6;  // cosine between the normals of a face and of its contact
+  for (const toolkit::Convex::Face& face : world.convex[shape.convex].face)
+    if (face.n.dot(outward) > kSame) return face.covers(p) && face.covers(p + way) && face.covers(p - way);
+  return false;
+}
+
+}  // namespace
+
 /// Slows an island that did not converge, so that it gains no energy: nothing in it moves faster than its loads can make it
 /// in a step, or than twice the fastest of the bodies that push it.
 void ContactSolve::clamp_velocity(const contact::ContactSet& contacts,
@@ -99,7 +118,8 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
 }
 
 /// Largest displacement of one side of a chain's contact relative to the other since contacts were detected, in radii of the chain.
-/// A contact is a plane: some radii away the surface there is another. Displacements that both sides share do not count.
+/// A contact is a plane: some radii away the surface there is another, unless it is a flat face, over which a chain may slide as far as that
+/// reaches. Displacements that both sides share do not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
   const auto chain = [&](const Side& s) { return s.point != kNone && p_.place.is_banded(s.block); };
   double most = 0;
@@ -112,7 +132,9 @@ double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept
       if (chain(*s)) radius = std::min(radius, p_.place.radius(*s));
     if (!(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
     const Vec3 off = p_.place.off_prediction(k.a, c.p_W) - p_.place.off_prediction(k.b, c.p_W);
-    most = std::max(most, off.norm() / radius);
+    double far = off.norm() / radius;
+    if (far > most && stays_over_face(p_.place.world(), c, contacts.candidate[i], off)) far = std::abs(c.n_W.dot(off)) / radius;
+    most = std::max(most, far);
   }
   return most;
 }

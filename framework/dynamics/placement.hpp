@@ -74,6 +74,7 @@ class Placement {
   Vec3 prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
   /// The same for the displacement of the point without contacts [m].
   Vec3 free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
+  const scene::World& world() const { return *world_; }
   /// Rotation vector over the step [rad]; `known`: false for particles, flexible bodies and the world, which have none.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
   /// Displacement of a place of any side from where contacts were detected [m].

@@ -22,8 +22,8 @@ constexpr int kParts = 4;
 /// divided further (Engine::kDivisions): a thread of 4e-7 kg/m that bears 20 mN springs by ten of its diameters in 1/64 ms.
 constexpr std::size_t kUsual = 3;
 
-/// In radii of a chain: allowed displacement relative to what it is near to since contacts were detected; its own thickness. Smaller: fast
-/// sliding costs several times as much. Larger: passages.
+/// In radii of a chain: allowed displacement relative to what it is near to since contacts were detected, where that is no flat face; its own
+/// thickness. Smaller: fast sliding costs several times as much. Larger: passages.
 constexpr double kFar = 2;
 
 }  // namespace

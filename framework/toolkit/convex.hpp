@@ -23,6 +23,13 @@ struct Convex {
     std::vector<uint32_t> edge;    // edge[i] leads from vertex[i] to the next
     std::vector<Vec3> side;        // unit, in the face, across edge[i], outward
     std::vector<double> side_d;    // m: side[i] . p = side_d[i] on edge[i]
+
+    /// True above or below the face, beside none of its edges.
+    bool covers(const Vec3& p) const {
+      for (size_t i = 0; i < side.size(); ++i)
+        if (side[i].dot(p) > side_d[i]) return false;
+      return true;
+    }
   };
   struct Edge {
     uint32_t v0 = 0, v1 = 0;

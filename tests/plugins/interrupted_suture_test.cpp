@@ -43,6 +43,8 @@ TEST(InterruptedSuture, TheExpertSewsThreeEqualStitchesAndCutsThemOff) {
   EXPECT_LT(expert.metric("thread.tension"), 10e-3) << "N; the swage bears 0.14";
   EXPECT_LT(expert.metric("thread.cut"), 0.2e-3) << "m";
   EXPECT_EQ(expert.engine().quarantined(), 0u);
+  EXPECT_GT(expert.engine().divided(), 50u);
+  EXPECT_LT(expert.engine().divided(), 500u) << "a thread that slides over the floor of the tray does not divide the step; it did in 900";
 }
 
 // At 4.06 s the needle, pinched and pressed on the tissue until it is bent, comes loose at one end and springs back. It was thrown out of the scene.

@@ -58,6 +58,18 @@ TEST(Convex, MovedItIsTheSameBodySeenFromElsewhere) {
   EXPECT_NEAR(moved.height(X * p), c.height(p), 1e-14);
 }
 
+TEST(Convex, AFaceCoversWhatIsBesideNoneOfItsEdges) {
+  Convex c;
+  ASSERT_EQ(Cube().build(c), "");
+  for (const Convex::Face& f : c.face) {
+    const Vec3 along = f.side[0];
+    EXPECT_TRUE(f.covers(1.5 * f.n + 0.99 * along));
+    EXPECT_TRUE(f.covers(0.5 * f.n - 0.99 * along));
+    EXPECT_FALSE(f.covers(1.5 * f.n + 1.01 * along));
+    EXPECT_FALSE(f.covers(0.5 * f.n - 1.01 * along));
+  }
+}
+
 TEST(Convex, RefusesWhatIsNoClosedConvexBody) {
   Convex c;
   const auto with = [&](auto&& change) {
