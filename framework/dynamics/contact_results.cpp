@@ -18,7 +18,7 @@ bool stays_over_face(const scene::World& world, const contact::Contact& c, const
   const bool of_b = at.b.kind == Kind::kPlane;
   if (!of_b && at.a.kind != Kind::kPlane) return false;
   const scene::Shape& shape = world.shape[of_b ? c.shape_b : c.shape_a];
-  if (shape.kind != SWAGE_SHAPE_CONVEX) return false;
+  if (shape.kind != SWAGE_SHAPE_CONVEX || world.body[shape.body].motion != SWAGE_MOTION_FIXED) return false;
   const toolkit::Pose X_SW = (toolkit::Pose(world.X_WB[shape.body]) * toolkit::Pose(shape.X_BS)).inverse();
   const Vec3 p = X_SW * c.p_W, way = X_SW.q * off, outward = X_SW.q * Vec3(of_b ? c.n_W : Vec3(-c.n_W));
   constexpr double kSame = 1 - 1e-6;  // cosine between the normals of a face and of its contact

@@ -225,6 +225,12 @@ void Bending::write_piece(const Step& step, int i, const Vec3& w_W) const {
   step->V_WB[body_of(i)] = {toolkit::raw(Vec3((X.p - p0) / step.dt())), toolkit::raw(w_W)};
 }
 
+/// Body of the middle piece or of the base: the one that spins less. An arm that springs back, or that a thread jerks at, is not held.
+uint32_t Bending::calmer(const Step& step) const {
+  const uint32_t base = body_of(static_cast<int>(state(step).base));
+  return vec(step->V_WB[base].w).squaredNorm() < vec(step->V_WB[0].w).squaredNorm() ? base : 0;
+}
+
 /// Predicts the motion without contacts. A held needle is predicted to continue its motion, so that contacts are detected where they will
 /// be; a free one springs back and flies.
 void Bending::advance(const Step& step) {
@@ -239,11 +245,9 @@ void Bending::advance(const Step& step) {
   const Rigid start = weigh(static_cast<int>(s.base));
   fly(step, start);
   if (s.held != 0) {
-    // The base, on which contacts push, moves with the whole; an arm that springs back does not.
-    const uint32_t base = body_of(static_cast<int>(s.base));
-    const swage_twist& V = step->V_WB[base];
-    const Vec3 w = vec(V.w), arm = start.centre - vec(step->X_WB[base].p);
-    carry(step, {vec(V.v) + w.cross(arm), w}, start);
+    const uint32_t calm = calmer(step);
+    const Vec3 w = vec(step->V_WB[calm].w), arm = start.centre - vec(step->X_WB[calm].p);
+    carry(step, {vec(step->V_WB[calm].v) + w.cross(arm), w}, start);
     spin_by_loads(step);
     put(whole_.inertia * w, s.L);
   } else {

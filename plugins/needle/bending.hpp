@@ -135,6 +135,7 @@ class Bending {
   void fly(const Step& step, const Rigid& start);
   void spin_by_loads(const Step& step);
   void carry(const Step& step, const Twist& V, const Rigid& start);
+  uint32_t calmer(const Step& step) const;
   void relax(const Step& step) const;
   void place(int base, const Pose& X_WP);
   void write(const Step& step, int base) const;
