@@ -12,7 +12,7 @@ using scene::kNone;
 
 namespace {
 
-/// True when the contact's plane is that of a flat face, of which the displacement does not lead away over an edge.
+/// True when the contact's plane is that of a flat face that stands still, and the displacement does not lead over an edge of it.
 bool stays_over_face(const scene::World& world, const contact::Contact& c, const contact::Candidate& at, const Vec3& off) noexcept {
   using Kind = contact::Feature::Kind;
   const bool of_b = at.b.kind == Kind::kPlane;
@@ -118,8 +118,8 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
 }
 
 /// Largest displacement of one side of a chain's contact relative to the other since contacts were detected, in radii of the chain.
-/// A contact is a plane: some radii away the surface there is another, unless it is a flat face, over which a chain may slide as far as that
-/// reaches. Displacements that both sides share do not count.
+/// A contact is a plane: some radii away the surface there is another, unless it is a flat face that stands still, over which
+/// a chain may slide as far as that reaches. Displacements that both sides share do not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
   const auto chain = [&](const Side& s) { return s.point != kNone && p_.place.is_banded(s.block); };
   double most = 0;

@@ -122,10 +122,10 @@ class Engine {
     base::SolverHealth health;
     std::size_t events = 0;
   };
-  void move(double rest = 0, std::size_t level = 0, double whole = 0) noexcept;
+  void move(double rest = 0, std::size_t level = 0) noexcept;
   void begin(Begun& begun) noexcept;
   void take_back(const Begun& begun) noexcept;
-  bool fell_short(const Begun& begun, std::size_t level, double whole) noexcept;
+  bool fell_short(const Begun& begun, std::size_t level) noexcept;
   void follow_to(double rest) noexcept;
 
   void apply(const Command& command) noexcept;

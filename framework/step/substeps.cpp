@@ -22,19 +22,14 @@ constexpr int kParts = 4;
 /// divided further (Engine::kDivisions): a thread of 4e-7 kg/m that bears 20 mN springs by ten of its diameters in 1/64 ms.
 constexpr std::size_t kUsual = 3;
 
-/// In radii of a chain: allowed displacement relative to what it is near to since contacts were detected, where that is no flat face; its own
-/// thickness. Smaller: fast sliding costs several times as much. Larger: passages.
+/// In radii of a chain: allowed displacement relative to what it is near to since contacts were detected, where that is no flat face that stands
+/// still; its own thickness. Smaller: fast sliding costs several times as much. Larger: passages.
 constexpr double kFar = 2;
-
-/// Of the displacement in the step that was divided: a part that goes as far as this or farther is not divided again. What snaps over goes as far
-/// in each part as it did in the whole, where the implicit step held it back: it would be divided down to the last level for nothing, 20 ms of work.
-constexpr double kNearer = 0.5;
 
 }  // namespace
 
-/// A step of World::dt that ends `rest` [s] before the end of the whole step; `level`: how often that was divided; `whole`: how
-/// far the chains went in the step of which this is a part [radii].
-void Engine::move(double rest, std::size_t level, double whole) noexcept {
+/// A step of World::dt that ends `rest` [s] before the end of the whole step; `level`: how often that was divided.
+void Engine::move(double rest, std::size_t level) noexcept {
   if (level < begun_.size()) begin(begun_[level]);
   chains_.begin();
   free_motion();
@@ -42,9 +37,8 @@ void Engine::move(double rest, std::size_t level, double whole) noexcept {
   chains_.keep();
   couple();
   solve();
-  if (level >= begun_.size() || !fell_short(begun_[level], level, whole)) return;
+  if (level >= begun_.size() || !fell_short(begun_[level], level)) return;
 
-  const double strayed = dynamics_.stats().strayed;
   take_back(begun_[level]);
   ++divided_;
   scene::World& world = rig_.world;
@@ -56,7 +50,7 @@ void Engine::move(double rest, std::size_t level, double whole) noexcept {
     follow_to(then);
     host::renew_budgets(rig_);
     objects_.begin();
-    move(then, level + 1, strayed);
+    move(then, level + 1);
   }
   world.dt = h;
   host::renew_budgets(rig_);
@@ -77,12 +71,10 @@ void Engine::take_back(const Begun& begun) noexcept {
   events_.keep_first(begun.events);
 }
 
-/// True when the step was too far for one, and its parts may go less far. If it did not converge it is divided once: where it never does, the
-/// cost stays that of five.
-bool Engine::fell_short(const Begun& begun, std::size_t level, double whole) noexcept {
+/// True when the step was too far for one. If it did not converge it is divided once: where it never does, the cost stays that of five.
+bool Engine::fell_short(const Begun& begun, std::size_t level) noexcept {
   const dynamics::Stats& stats = dynamics_.stats();
-  const bool strays = stats.strayed > kFar && (level == 0 || stats.strayed < kNearer * whole);
-  if ((level < kUsual && strays) || (level == 0 && stats.health.not_converged > begun.health.not_converged)) return true;
+  if ((level < kUsual && stats.strayed > kFar) || (level == 0 && stats.health.not_converged > begun.health.not_converged)) return true;
   return chains_.passed_itself() || (level < kUsual && chains_.met_unseen(contacts_));
 }
 
