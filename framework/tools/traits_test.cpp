@@ -41,6 +41,7 @@ class Traits {
     if (wrong.empty()) wrong = pierceable();
     if (wrong.empty()) wrong = strand();
     if (wrong.empty()) wrong = strand_nodes();
+    if (wrong.empty()) wrong = strand_line();
     if (wrong.empty()) wrong = blades();
     if (wrong.empty()) wrong = cuttable();
     return wrong;
@@ -206,6 +207,28 @@ class Traits {
     std::string wrong = twice("count", nodes, [&](auto* out) { return t->count(slot_.instance->raw, &view(), out); });
     if (wrong.empty() && nodes < 2) return told("count", say::kFewNodes());
     return wrong;
+  }
+
+  std::string strand_line() {
+    const auto* t = table<swage_strand_line>(SWAGE_TRAIT_STRAND_LINE);
+    if (t == nullptr) return "";
+    if (t->line == nullptr) return say::kGaps(SWAGE_TRAIT_STRAND_LINE);
+    const auto* strand = table<swage_strand>(SWAGE_TRAIT_STRAND);
+    swage_strand_law law{};
+    if (strand == nullptr || strand->law(slot_.instance->raw, &view(), &law) != SWAGE_OK) return say::kLineAlone(SWAGE_TRAIT_STRAND);
+    for (const uint32_t n : {2u, 3u, 17u, 100u}) {
+      std::vector<double> p(3 * n + 1, 7.0);
+      std::vector<uint32_t> parted(n + 1, 7u);
+      if (t->line(slot_.instance->raw, &view(), n, p.data(), parted.data()) != SWAGE_OK) return told("line", say::kLineFails());
+      if (p.back() != 7.0 || parted.back() != 7u) return told("line", say::kBeyond());
+      for (uint32_t i = 0; i < n; ++i) {
+        swage_strand_place place{};
+        strand->place(slot_.instance->raw, &view(), law.length * i / (n - 1), &place);
+        const double away = std::hypot(place.p_W.x - p[3 * i], place.p_W.y - p[3 * i + 1], place.p_W.z - p[3 * i + 2]);
+        if (!(away <= 1e-9 * law.length) || parted[i] != place.parted) return told("line", say::kOtherPlaces());
+      }
+    }
+    return "";
   }
 
   std::string blades() {

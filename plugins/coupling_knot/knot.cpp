@@ -87,17 +87,14 @@ void Knot::reset(const CouplingStep& step) {
 void Knot::look(const CouplingStep& step, const KnotState& state) {
   places_ = 0;
   const auto law = thread_.law(step.a());
-  if (!law) return;
+  const auto n = static_cast<size_t>(params_.places);
+  if (!law || !thread_.line(step.a(), {p_W_, 3 * n}, {parted_, n})) return;
   length_ = law->length, radius_ = law->radius;
   const double knot = state.told.throws > 0 ? 0.5 * (state.from + state.to) / length_ * (params_.places - 1) : -1;
   int run = 0;
   bool found = false;
   for (int i = 0; i < params_.places; ++i) {
-    const auto place = thread_.place(step.a(), length_ * i / (params_.places - 1));
-    if (!place) return void(places_ = 0);
-    const swage_vec3& p = place->p_W;
-    p_W_[3 * i] = p.x, p_W_[3 * i + 1] = p.y, p_W_[3 * i + 2] = p.z;
-    run = place->parted != 0 ? 0 : run + 1;
+    run = parted_[i] != 0 ? 0 : run + 1;
     const bool has_knot = i + 1 - run <= knot && knot <= i;
     if (has_knot || (!found && run > places_)) places_ = run, first_ = i + 1 - run;
     found = found || has_knot;

@@ -103,6 +103,7 @@ class Knot final : public Coupling<KnotParams> {
   // valid within the present step
   int places_ = 0, first_ = 0;
   double p_W_[3 * toolkit::KnotPassages::kNodes];
+  uint32_t parted_[kMostPlaces];
   double length_ = 0, radius_ = 0;  // m
   toolkit::KnotPassages finder_;
   toolkit::KnotPassages::Found found_;

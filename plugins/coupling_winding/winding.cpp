@@ -48,13 +48,12 @@ void Winding::reset(const CouplingStep& step) {
 /// Computes the places of the thread in the frame of the jaws.
 bool Winding::look(const CouplingStep& step, const Jaws& jaws) {
   const auto law = thread_.law(step.b());
-  if (!law) return false;
+  const auto n = static_cast<size_t>(params_.places);
+  if (!law || !thread_.line(step.b(), {p_T_, 3 * n}, {parted_, n})) return false;
   length_ = law->length;
   const Vec3 tip(jaws.tip_W), x(jaws.axis_W), z(jaws.closing_W), y = z.cross(x);
   for (int i = 0; i < params_.places; ++i) {
-    const auto place = thread_.place(step.b(), length_ * i / (params_.places - 1));
-    if (!place) return false;
-    const Vec3 d = vec(place->p_W) - tip;
+    const Vec3 d = this->place(p_T_, i) - tip;
     p_T_[3 * i] = d.dot(x), p_T_[3 * i + 1] = d.dot(y), p_T_[3 * i + 2] = d.dot(z);
     if (!this->place(p_T_, i).allFinite()) return false;  // a place that is not finite counts as unknown
   }

@@ -47,7 +47,7 @@ struct ThreadParams {
   double pull_off = 0;   // N
 };
 
-class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand, public StrandNodes, public Cuttable {
+class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand, public StrandNodes, public StrandLine, public Cuttable {
  public:
   static constexpr auto id = "swage.object.thread";
   static constexpr auto version = "1.0.0";
@@ -113,7 +113,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                     "suture says.")
           .group("Material"),
   };
-  static constexpr std::array traits{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_STRAND_NODES, SWAGE_TRAIT_CUTTABLE};
+  static constexpr std::array traits{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_STRAND_NODES, SWAGE_TRAIT_STRAND_LINE, SWAGE_TRAIT_CUTTABLE};
 
   void build(const ThreadParams& params, ObjectBuilder& builder) override;
   void activate(double dt_s) override;
@@ -125,6 +125,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   void strand_place(const Step& step, double s, swage_strand_place& out) override;
   void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) override;
   uint32_t strand_nodes(const Step&) override { return static_cast<uint32_t>(nodes()); }
+  void strand_line(const Step& step, std::span<double> p_W, std::span<uint32_t> parted) override;
   void cut(const Step& step, double s) override;
 
   void advance(const Step& step) override;

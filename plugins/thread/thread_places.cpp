@@ -38,6 +38,7 @@ void Thread::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out
 const void* Thread::extension(std::string_view wanted) {
   if (wanted == SWAGE_TRAIT_CUTTABLE) return cuttable_table<Thread>();
   if (wanted == SWAGE_TRAIT_STRAND_NODES) return strand_nodes_table<Thread>();
+  if (wanted == SWAGE_TRAIT_STRAND_LINE) return strand_line_table<Thread>();
   return wanted == SWAGE_TRAIT_STRAND ? strand_table<Thread>() : nullptr;
 }
 
@@ -72,6 +73,19 @@ void Thread::strand_place(const Step& step, double s, swage_strand_place& out) {
   const int j = edge_at(step, s);
   const double share = (s - all[at(j)]) / (all[at(j + 1)] - all[at(j)]);
   tell(step, j, std::clamp(share, 0.0, 1.0), out);
+}
+
+void Thread::strand_line(const Step& step, std::span<double> p_W, std::span<uint32_t> parted) {
+  const RodState state = this->state(step);
+  const ChainState chain = step.chain(0, vertices());
+  const int last = static_cast<int>(chain.s.size()) - 2, n = static_cast<int>(parted.size());
+  for (int i = 0, j = 0; i < n; ++i) {
+    const double s = params_.length * i / (n - 1);
+    while (j < last && !(s < chain.s[at(j + 1)])) ++j;
+    const double share = std::clamp((s - chain.s[at(j)]) / (chain.s[at(j + 1)] - chain.s[at(j)]), 0.0, 1.0);
+    Eigen::Map<Vec3>(p_W.data() + 3 * i) = state.node(j) + share * state.edge(j);
+    parted[at(i)] = chain.radius[at(j)] == 0 ? 1 : 0;
+  }
 }
 
 void Thread::strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) {

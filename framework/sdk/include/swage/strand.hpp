@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace swage {
 
@@ -31,6 +32,15 @@ class StrandNodes {
   virtual ~StrandNodes() = default;
   /// Number of nodes, ends included, constant while active. [rt]
   virtual uint32_t strand_nodes(const Step& step) SWAGE_RT = 0;
+};
+
+/// A strand that tells all its places in one call.
+class StrandLine {
+ public:
+  virtual ~StrandLine() = default;
+  /// Writes the places [m, W] of parted.size() points at equal arc lengths, both ends included, and 1 where the strand is parted. They are
+  /// those of strand_place(). [rt]
+  virtual void strand_line(const Step& step, std::span<double> p_W, std::span<uint32_t> parted) SWAGE_RT = 0;
 };
 
 /// The table of an object of class T that inherits Strand.
@@ -63,11 +73,21 @@ const swage_strand_nodes* strand_nodes_table() {
   return &table;
 }
 
+/// The table of an object of class T that inherits StrandLine.
+template <class T>
+const swage_strand_line* strand_line_table() {
+  static constexpr detail::Entry kLine{"line", 43, detail::kRt, detail::When::kActive};
+  static constexpr swage_strand_line table{[](swage_instance* i, const swage_object_step* s, uint32_t n, double* p_W, uint32_t* parted) noexcept {
+    return detail::guarded<T>(i, kLine, [&](auto&, detail::Holder<T>& h) { h.plugin->strand_line(Step(s), {p_W, size_t{3} * n}, {parted, n}); });
+  }};
+  return &table;
+}
+
 /// A thread of another plugin. Cheap to copy; keep it from bind() on.
 class StrandPeer {
  public:
   StrandPeer() = default;
-  explicit StrandPeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_strand>(SWAGE_TRAIT_STRAND)), nodes_(peer.trait<swage_strand_nodes>(SWAGE_TRAIT_STRAND_NODES)) {}
+  explicit StrandPeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_strand>(SWAGE_TRAIT_STRAND)), nodes_(peer.trait<swage_strand_nodes>(SWAGE_TRAIT_STRAND_NODES)), line_(peer.trait<swage_strand_line>(SWAGE_TRAIT_STRAND_LINE)) {}
 
   bool valid() const { return table_ != nullptr; }
   std::optional<swage_strand_law> law(const Step& step) const SWAGE_RT {
@@ -85,6 +105,20 @@ class StrandPeer {
     if (table_ == nullptr || table_->nearest(raw_, step.raw(), p_W, &place) != SWAGE_OK) return std::nullopt;
     return place;
   }
+  /// Places at equal arc lengths, both ends included, and whether it is parted there: p_W has three numbers for each of parted, of which
+  /// there are two or more. False: it did not answer.
+  bool line(const Step& step, std::span<double> p_W, std::span<uint32_t> parted) const SWAGE_RT {
+    const auto n = static_cast<uint32_t>(parted.size());
+    if (line_ != nullptr) return line_->line(raw_, step.raw(), n, p_W.data(), parted.data()) == SWAGE_OK;
+    const auto of = law(step);
+    for (uint32_t i = 0; of && i < n; ++i) {
+      const auto at = place(step, of->length * i / (n - 1));
+      if (!at) return false;
+      p_W[3 * i] = at->p_W.x, p_W[3 * i + 1] = at->p_W.y, p_W[3 * i + 2] = at->p_W.z;
+      parted[i] = at->parted;
+    }
+    return of.has_value();
+  }
   /// Number of its nodes; 0 where it does not tell.
   uint32_t nodes(const Step& step) const SWAGE_RT {
     uint32_t nodes = 0;
@@ -98,6 +132,7 @@ class StrandPeer {
   swage_instance* raw_ = nullptr;
   const swage_strand* table_ = nullptr;
   const swage_strand_nodes* nodes_ = nullptr;
+  const swage_strand_line* line_ = nullptr;
 };
 
 }  // namespace swage

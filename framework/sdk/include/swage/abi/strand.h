@@ -39,9 +39,17 @@ typedef struct swage_strand_nodes {
   swage_result (*count)(swage_instance*, const swage_object_step*, uint32_t* out);
 } swage_strand_nodes;
 
+/* Places of the whole strand in one call, for who looks at all of it in every step. Offered beside SWAGE_TRAIT_STRAND. */
+#define SWAGE_TRAIT_STRAND_LINE "swage.trait.strand_line/1"
+typedef struct swage_strand_line {
+  /* [rt] n >= 2 places at equal arc lengths, both ends included: p_W[3 i ...] m, parted[i] as swage_strand_place tells them of each */
+  swage_result (*line)(swage_instance*, const swage_object_step*, uint32_t n, double* p_W, uint32_t* parted);
+} swage_strand_line;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_strand_law) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_strand_place) == 96, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_strand) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_strand_nodes) == 8, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_strand_line) == 8, "frozen layout");
 
 #endif
