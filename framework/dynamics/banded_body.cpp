@@ -41,26 +41,35 @@ void BandedBody::begin() noexcept {
   std::fill(free_.begin(), free_.end(), 0.0);
 }
 
-bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
+bool BandedBody::linearise(FlexibleBody& object, bool from_last, uint64_t& stiffer) noexcept {
   from_last_ = from_last;
-  for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
-    A_.set_zero();
-    std::fill(gradient_.begin(), gradient_.end(), 0.0);
-    if (!object.linearise(stiffer, A_.column(0), gradient_.data())) return false;
-    if (!finite(gradient_.data(), unknowns())) return false;
-    hold();
-    take_factors();
-    if (!factors_.factor()) {  // the next A is stiffer
-      if (!object.stiffness_is_sound(A_.column(0))) return false;
-      continue;
-    }
-    line(free_.data()) = -line(gradient_.data());
-    solve(free_.data());
-    has_blocks_ = false;
-    std::fill(column_from_.begin(), column_from_.end(), vertices_);
-    return true;
+  // what was too soft in the last step mostly is in this one
+  uint64_t level = stiffer > 0 ? stiffer - 1 : 0;
+  Attempt last = attempt(object, level);
+  if (last == Attempt::kFactored) {
+    while (level > 0 && last == Attempt::kFactored) last = attempt(object, --level);
+    if (last == Attempt::kTooSoft) last = attempt(object, ++level);
+  } else {
+    while (last == Attempt::kTooSoft && level < SWAGE_BAND_STIFFER) last = attempt(object, ++level);
   }
-  return false;
+  stiffer = level;
+  if (last != Attempt::kFactored) return false;
+  line(free_.data()) = -line(gradient_.data());
+  solve(free_.data());
+  has_blocks_ = false;
+  std::fill(column_from_.begin(), column_from_.end(), vertices_);
+  return true;
+}
+
+BandedBody::Attempt BandedBody::attempt(FlexibleBody& object, uint64_t stiffer) noexcept {
+  A_.set_zero();
+  std::fill(gradient_.begin(), gradient_.end(), 0.0);
+  if (!object.linearise(static_cast<uint32_t>(stiffer), A_.column(0), gradient_.data())) return Attempt::kUnsound;
+  if (!finite(gradient_.data(), unknowns())) return Attempt::kUnsound;
+  hold();
+  take_factors();
+  if (factors_.factor()) return Attempt::kFactored;
+  return object.stiffness_is_sound(A_.column(0)) ? Attempt::kTooSoft : Attempt::kUnsound;
 }
 
 /// Fixes unknowns without stiffness where they are.

@@ -37,9 +37,10 @@ class BandedBody {
 
   /// Begins a step, at the state to which the chain advanced.
   void begin() noexcept;
-  /// Asks its object for A and g and factors A. False: the object has no such step. `from_last`: A is eliminated from the last vertex
-  /// on, and the columns of vertices near the first one are short; otherwise from the first vertex on.
-  bool linearise(FlexibleBody& object, bool from_last = false) noexcept;
+  /// Asks its object for A and g and factors A, the softest that can be factored. False: the object has no such step. `from_last`: A is
+  /// eliminated from the last vertex on, and the columns of vertices near the first one are short; otherwise from the first vertex on.
+  /// `stiffer`: how stiff A had to be made (0 to SWAGE_BAND_STIFFER) in the last step, and in this one; the search begins one below the last.
+  bool linearise(FlexibleBody& object, bool from_last, uint64_t& stiffer) noexcept;
   /// q += d.
   void go(const double* d) noexcept;
   /// Moves to the state without contacts. False when it is there already.
@@ -77,6 +78,9 @@ class BandedBody {
   /// All unknowns at once, two in a register.
   Eigen::Map<Eigen::VectorXd> line(double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
   Eigen::Map<const Eigen::VectorXd> line(const double* x) const noexcept { return {x, static_cast<Eigen::Index>(unknowns())}; }
+  enum class Attempt : uint8_t { kFactored, kTooSoft, kUnsound };
+  /// Asks for A at one level and factors it; kUnsound: what the object gave is no number.
+  Attempt attempt(FlexibleBody& object, uint64_t stiffer) noexcept;
   void hold() noexcept;
   void take_factors() noexcept;
   void solve(double* x) const noexcept;

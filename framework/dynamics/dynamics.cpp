@@ -121,12 +121,14 @@ void Dynamics::save(scene::Writer& out) const noexcept {
   out.put(core_->motion.held_body);
   out.put(core_->motion.held_hinge);
   out.put(core_->motion.held_particle);
+  out.put(core_->motion.stiffer);
 }
 
 bool Dynamics::restore(scene::Reader& in) noexcept {
   in.get(core_->motion.held_body);
   in.get(core_->motion.held_hinge);
   in.get(core_->motion.held_particle);
+  in.get(core_->motion.stiffer);
   return in.ok();
 }
 

@@ -46,13 +46,14 @@ uint32_t FlexibleBodies::vertices() const noexcept {
   return sum;
 }
 
-void FlexibleBodies::begin(std::span<FlexibleBody* const> self) noexcept {
+void FlexibleBodies::begin(std::span<FlexibleBody* const> self, std::span<uint64_t> stiffer) noexcept {
   flexible_ = self.first(std::min(self.size(), object_.size()));
   for (Object& o : object_) o.points = 0, o.displaced = o.sound = false, o.band = nullptr;
   for (uint32_t i = 0; i < flexible_.size(); ++i) {
     if (!flexible_[i]->banded()) continue;
-    for (const auto& band : band_)
-      if (band->object() == flexible_[i]->object()) object_[i].band = band.get(), band->begin();
+    for (uint32_t b = 0; b < band_.size(); ++b)
+      if (band_[b]->object() == flexible_[i]->object())
+        object_[i].band = band_[b].get(), object_[i].stiffer = &stiffer[b], band_[b]->begin();
   }
 }
 
@@ -98,7 +99,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
     if (n == 0) continue;
     if (o.band) {
       std::fill_n(o.force.begin(), n, 0.0);
-      o.sound = o.band->linearise(*flexible_[i], nearer_first(o));
+      o.sound = o.band->linearise(*flexible_[i], nearer_first(o), *o.stiffer);
       unanswered += o.sound ? 0 : o.points;
       continue;
     }

@@ -24,8 +24,8 @@ class FlexibleBodies {
  public:
   explicit FlexibleBodies(const scene::World& world);
 
-  /// Forgets the last step. `self`: the flexible bodies, one entry per object.
-  void begin(std::span<FlexibleBody* const> self) noexcept;
+  /// Forgets the last step. `self`: the flexible bodies, one entry per object; `stiffer`: of each chain, kept from step to step.
+  void begin(std::span<FlexibleBody* const> self, std::span<uint64_t> stiffer) noexcept;
   /// Index of the object among the flexible bodies of this step, or kNone when it is none of them.
   uint32_t slot(uint32_t object) const noexcept;
   /// Adds the point of a contact or tie; returns its index, or kNone beyond the capacity. `into`: unit normal into the object.
@@ -99,6 +99,7 @@ class FlexibleBodies {
     double h = 0;
     bool displaced = false, sound = false;
     BandedBody* band = nullptr;  // of this step
+    uint64_t* stiffer = nullptr;  // of the band
   };
   static bool nearer_first(const Object& o) noexcept;
   static Vec3 at(const std::vector<double>& v, uint32_t point) noexcept {

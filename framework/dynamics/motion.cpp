@@ -46,6 +46,7 @@ Motion::Motion(const scene::World& world) {
   p0.assign(particles, Vec3::Zero()), p_free.assign(particles, Vec3::Zero()),
       v_free_p.assign(particles, Vec3::Zero());
   held_particle.assign(particles, 0);
+  stiffer.assign(world.chain.size(), 0);
 }
 
 void Motion::predict(scene::World& world, FreeMotion method) noexcept {

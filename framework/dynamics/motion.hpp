@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Results of the free motion that the contact solve needs. Reserved on [main], rewritten every step on [rt]; only `held_*` last
-// from step to step.
+// Results of the free motion that the contact solve needs. Reserved on [main], rewritten every step on [rt]; only `held_*` and
+// `stiffer` last from step to step.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +32,9 @@ struct Motion {
 
   // which bodies, hinges, particles had a contact force in the last step: they are predicted to keep their velocity
   std::vector<uint64_t> held_body, held_hinge, held_particle;
+
+  // of each chain: how stiff its matrix had to be made in the last step (banded_body.hpp)
+  std::vector<uint64_t> stiffer;
 
   // which bodies had an impulse within this step before the contact solve (rebound.hpp): X0 is then not their pose at its start
   std::vector<uint8_t> flown;

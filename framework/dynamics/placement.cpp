@@ -51,7 +51,7 @@ void Placement::begin(scene::World& world, Motion& motion, std::span<FlexibleBod
   world_ = &world, motion_ = &motion;
   h_ = world.dt;
   ++step_;
-  flexible_.begin(self);
+  flexible_.begin(self, motion.stiffer);
   for (uint32_t slot = 0; slot < flexible_.capacity(); ++slot) {
     DofBlock& m = block_[first_flexible_ + slot];
     m.band = flexible_.band(slot);

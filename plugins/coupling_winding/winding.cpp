@@ -77,21 +77,27 @@ bool Winding::go_on(const CouplingStep& step, WindingState& state) {
   return true;
 }
 
-/// Transforms from the tool's frame to that of one jaw: x axis on its middle line, origin at its tip. side 1: left, -1: right.
-Vec3 Winding::in_jaw(const Vec3& p_T, double opening, double side) const {
-  const double c = std::cos(0.5 * opening), s = side * std::sin(0.5 * opening);
+Winding::Jaw Winding::jaw(double opening, double side) const {
+  const double c = std::cos(0.5 * opening);
+  return {c, side * std::sin(0.5 * opening), params_.hinge / c, side * params_.inside};
+}
+
+/// Transforms from the tool's frame to that of one jaw.
+Vec3 Winding::in_jaw(const Vec3& p_T, const Jaw& jaw) const {
   const double x = p_T.x() + params_.hinge, z = p_T.z();  // from the hinge
-  return {c * x + s * z - params_.hinge / c, p_T.y(), c * z - s * x - side * params_.inside};
+  return {jaw.cosine * x + jaw.sine * z - jaw.length, p_T.y(), jaw.cosine * z - jaw.sine * x - jaw.inside};
 }
 
 /// Finds passages of the counted part: the tail beyond is what the jaws grasp. A thread may pass between open jaws, but through neither.
 void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
   if (std::equal(p_T_, p_T_ + 3 * params_.places, state.p_T)) return;  // at the beginning of a step nothing has moved
+  const Jaw before[2] = {jaw(state.opening, 1), jaw(state.opening, -1)};
+  const Jaw after[2] = {jaw(state.jaws.opening, 1), jaw(state.jaws.opening, -1)};
   for (int i = 0; i < last_; ++i) {
     int most = 0;
-    for (const double side : {1.0, -1.0}) {
-      const auto then = [&](int k) { return in_jaw(place(state.p_T, k), state.opening, side); };
-      const auto now = [&](int k) { return in_jaw(place(p_T_, k), state.jaws.opening, side); };
+    for (const int side : {0, 1}) {
+      const auto then = [&](int k) { return in_jaw(place(state.p_T, k), before[side]); };
+      const auto now = [&](int k) { return in_jaw(place(p_T_, k), after[side]); };
       most = std::max(most, std::abs(toolkit::wound_through(then(i), then(i + 1), now(i), now(i + 1), params_.reach)));
     }
     if (most == 0) continue;

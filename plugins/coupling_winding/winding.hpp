@@ -70,7 +70,14 @@ class Winding final : public Coupling<WindingParams> {
   bool look(const CouplingStep& step, const Jaws& jaws);
   bool go_on(const CouplingStep& step, WindingState& state);
   toolkit::Vec3 place(const double* of, int i) const { return Eigen::Map<const toolkit::Vec3>(of + 3 * i); }
-  toolkit::Vec3 in_jaw(const toolkit::Vec3& p_T, double opening, double side) const;
+  /// A jaw in the tool's frame: x axis on its middle line, origin at its tip.
+  struct Jaw {
+    double cosine, sine;    // of half the opening, signed by the side
+    double length, inside;  // m, from the hinge to the tip; from the middle line to the inner face, signed by the side
+  };
+  /// side 1: left, -1: right.
+  Jaw jaw(double opening, double side) const;
+  toolkit::Vec3 in_jaw(const toolkit::Vec3& p_T, const Jaw& jaw) const;
   void find_passages(const CouplingStep& step, WindingState& state) const;
   void tell(const CouplingStep& step, WindingState& state, double turns) const;
 

@@ -31,7 +31,8 @@ void direction(benchmark::State& state) {
   rod.advance();
   BandedBody band(0, kNodes);
   band.begin();
-  if (!band.linearise(rod)) return state.SkipWithError("no step");
+  uint64_t stiffer = 0;
+  if (!band.linearise(rod, false, stiffer)) return state.SkipWithError("no step");
   DofBlock thread, needle;
   thread.kind = DofBlock::Kind::kBanded, thread.band = &band, thread.size = band.unknowns();
   needle.m_hh = 0.4, needle.offset = thread.size;

@@ -3,6 +3,7 @@
 // Threads solved as bands move like threads solved by the mobility of their points: alone, in contact with each other and with
 // bodies, and one of each kind.
 #include <gtest/gtest.h>
+#include <swage/abi/band.h>
 
 #include <algorithm>
 #include <cmath>
@@ -212,8 +213,9 @@ TEST(BandedBody, IsTheSameFromEitherEnd) {
   rod.advance();
   BandedBody from_first(0, kPieces + 1), from_last(0, kPieces + 1);
   from_first.begin(), from_last.begin();
-  ASSERT_TRUE(from_first.linearise(rod, false));
-  ASSERT_TRUE(from_last.linearise(rod, true));
+  uint64_t stiffer[2] = {0, 0};
+  ASSERT_TRUE(from_first.linearise(rod, false, stiffer[0]));
+  ASSERT_TRUE(from_last.linearise(rod, true, stiffer[1]));
   std::vector<double> a(from_first.unknowns()), b(a.size());
   from_first.to_free(a.data()), from_last.to_free(b.data());
   double largest = 0;
@@ -228,6 +230,45 @@ TEST(BandedBody, IsTheSameFromEitherEnd) {
       EXPECT_GT(size, 0);
       for (uint32_t k = 16 * least; k < 16 * (most + 1); ++k) EXPECT_NEAR(p[k], q[k], 1e-9 * size) << vertex << ' ' << k;
     }
+}
+
+/// A chain of two vertices whose matrix can be factored from one level of stiffness on.
+struct Soft : FlexibleBody {
+  uint32_t object() const noexcept override { return 0; }
+  bool mobility(std::span<const swage_contact_point>, double*, double*) noexcept override { return false; }
+  void apply_impulses(std::span<const swage_contact_point>, const double*) noexcept override {}
+  bool linearise(uint32_t stiffer, double* stiffness, double*) noexcept override {
+    asked.push_back(stiffer);
+    for (int j = 0; j < 8; ++j) stiffness[SWAGE_BAND_COLUMN * j] = stiffer >= needs ? 1 + stiffer : -1.0;
+    return true;
+  }
+  uint32_t needs = 0;
+  std::vector<uint32_t> asked;
+};
+
+// A step mostly needs the level of the one before. The level found is the one that a search from the softest finds.
+TEST(BandedBody, BeginsOneBelowTheLevelOfTheLastStep) {
+  Soft soft;
+  BandedBody band(0, 2);
+  uint64_t stiffer = 0;
+  const auto asked = [&](uint32_t needs) {
+    soft.needs = needs, soft.asked.clear();
+    band.begin();
+    EXPECT_TRUE(band.linearise(soft, false, stiffer)) << needs;
+    EXPECT_EQ(stiffer, needs);
+    return soft.asked;
+  };
+  using Levels = std::vector<uint32_t>;
+  EXPECT_EQ(asked(0), Levels({0}));
+  EXPECT_EQ(asked(5), Levels({0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(asked(5), Levels({4, 5}));
+  EXPECT_EQ(asked(3), Levels({4, 3, 2, 3}));
+  EXPECT_EQ(asked(4), Levels({2, 3, 4}));
+  EXPECT_EQ(asked(0), Levels({3, 2, 1, 0}));
+  EXPECT_EQ(asked(0), Levels({0}));
+  soft.needs = SWAGE_BAND_STIFFER + 1;
+  EXPECT_FALSE(band.linearise(soft, false, stiffer)) << "never soft enough";
+  EXPECT_EQ(asked(0).back(), 0u);
 }
 
 }  // namespace banded_body_test

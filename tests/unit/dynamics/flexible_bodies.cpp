@@ -41,7 +41,7 @@ TEST(FlexibleBodies, GoByTheirForcesAndAreGivenThose) {
   FlexibleBodies blocks(w);
   PointMass mass;
   FlexibleBody* const all[] = {&mass};
-  blocks.begin(all);
+  blocks.begin(all, {});
   ASSERT_EQ(blocks.slot(3), 0u);
   EXPECT_EQ(blocks.slot(2), scene::kNone);
   blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ());
@@ -75,7 +75,7 @@ TEST(FlexibleBodies, StartsWherePointsAreExpected) {
   FlexibleBodies blocks(w);
   PointMass mass;
   FlexibleBody* const all[] = {&mass};
-  blocks.begin(all);
+  blocks.begin(all, {});
   blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ());
   blocks.add_point(0, 0, 0, Vec3::UnitX(), Vec3::UnitZ());
   blocks.ask(1e-3);
@@ -85,7 +85,7 @@ TEST(FlexibleBodies, StartsWherePointsAreExpected) {
   for (const uint32_t point : {0u, 1u}) EXPECT_LT((blocks.displacement(0, point) - where).norm(), 1e-18);
 
   // the next step queries anew and starts without forces
-  blocks.begin(all);
+  blocks.begin(all, {});
   blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ());
   blocks.ask(1e-3);
   EXPECT_EQ(blocks.extra(0, 0), Vec3::Zero());
@@ -101,7 +101,7 @@ TEST(FlexibleBodies, WhoFailsOrAnswersNonsenseStandsStill) {
     mass.answers = nonsense;
     mass.nonsense = nonsense;
     FlexibleBody* const all[] = {&mass};
-    blocks.begin(all);
+    blocks.begin(all, {});
     blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ());
     blocks.ask(1e-3);
     EXPECT_FALSE(blocks.gives(0));
@@ -116,7 +116,7 @@ TEST(FlexibleBodies, RefusesPointsBeyondItsCapacity) {
   FlexibleBodies blocks(w);
   PointMass mass;
   FlexibleBody* const all[] = {&mass};
-  blocks.begin(all);
+  blocks.begin(all, {});
   for (uint32_t i = 0; i < blocks.room(0); ++i)
     EXPECT_EQ(blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), i);
   EXPECT_EQ(blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), scene::kNone);

@@ -23,7 +23,8 @@ extern "C" {
  *
  * stiffness: 4 n columns of SWAGE_BAND_COLUMN numbers; entry k of column j couples the unknowns j and j + k, k up to
  * SWAGE_BAND_REACH (entries beyond the last unknown, and the last number of a column, are 0). It must be positive definite: where the
- * host cannot factor it, it calls again with `stiffer` = 1, 2 .. SWAGE_BAND_STIFFER, each time for a matrix nearer to positive definite.
+ * host cannot factor it, it calls again with `stiffer` = 1, 2 .. SWAGE_BAND_STIFFER, each time for a matrix nearer to positive definite. It may
+ * begin at another number than 0, and go down as long as it can factor what it gets: the answer depends on `stiffer` and the state alone.
  * An unknown that is held fixed has a diagonal of 0; so has the rotation at the last vertex. All numbers are 0 on entry.
  * displace gets the change q and writes final vertices, velocities, poses and twists. The impulses at the points, 3 each [N s], are
  * already part of q; they are passed for the object's information. */
