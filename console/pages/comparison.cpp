@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -103,7 +104,7 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
     view_->set_card(player_->card(), CameraPreset::kOrbit);
   } else {
     problem_->setText(tr("The picture cannot be replayed: %1")
-                          .arg(problems.empty() ? QString() : QString::fromStdString(problems.front().message)));
+                          .arg(problems.empty() ? QString() : said_message(problems.front().message)));
   }
   fill_events(first);
 }

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "console/models/words.hpp"
@@ -25,7 +26,9 @@ constexpr float kNearer = 8;    // notches of the wheel
 constexpr uint64_t kSteps = 5;  // between two looks at the clock
 
 /// Tensions of threads are told in mN.
-QString tension_text(double N) { return with_unit(QStringLiteral("%L1").arg(N / kMilli, 0, 'f', 0), "mN"); }
+QString tension_text(double N) {
+  return std::isfinite(N) ? with_unit(QStringLiteral("%L1").arg(N / kMilli, 0, 'f', 0), "mN") : QStringLiteral("–");
+}
 
 }  // namespace
 
@@ -151,12 +154,13 @@ void PullDialog::show_state() {
   state_ = puller_->state();
   puller_->fill(*snapshot_);
   view_->show_snapshot(*snapshot_);
-  share_->setValue(static_cast<int>(1000 * std::min(1.0, state_.bears_N / wish_.load_N)));
+  const double share = std::isfinite(state_.bears_N) ? state_.bears_N / wish_.load_N : 0;  // nothing is measured before the first step
+  share_->setValue(static_cast<int>(1000 * std::min(1.0, share)));
   const QString bears = tension_text(state_.bears_N), slip = quantity_text(state_.slip_m, QStringLiteral("m"));
   numbers_->setText(tr("Tension %1, slip %2").arg(bears, slip));
-  QString said;
+  QString said = tr("Being pulled …");
   if (state_.over) said = state_.holds ? tr("✓ It holds.") : state_.broke ? tr("▲ The thread parts.") : tr("▲ It gives way.");
-  if (!said.isEmpty() && !state_.health.isEmpty()) said += QStringLiteral("\n") + tr("The solver fell short: %1").arg(state_.health);
+  if (state_.over && !state_.health.isEmpty()) said += QStringLiteral("\n") + tr("The solver fell short: %1").arg(state_.health);
   result_->setText(said);
   keep_->setEnabled(state_.over);
 }
