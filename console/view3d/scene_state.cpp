@@ -108,10 +108,12 @@ std::optional<QVector3D> SceneState::first_point() const {
   return {};
 }
 
-std::optional<QVector3D> SceneState::subject() const {
+std::optional<QVector3D> SceneState::subject() const { return ties() ? parts_.stitch : first_point(); }
+
+bool SceneState::ties() const {
   const bool thread_alone = std::any_of(parts_.threads.begin(), parts_.threads.end(),
                                         [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
-  return parts_.stitch && thread_alone ? parts_.stitch : first_point();
+  return parts_.stitch && thread_alone;
 }
 
 std::vector<QVector3D> SceneState::points() const {

@@ -72,6 +72,8 @@ class SceneState {
   std::optional<QVector3D> first_point() const;
   /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point.
   std::optional<QVector3D> subject() const;
+  /// Whether that is a stitch to be tied.
+  bool ties() const;
   /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;

@@ -148,6 +148,15 @@ void SceneView::look(CameraPreset preset, float notches) {
   touch();
 }
 
+bool SceneView::look_at_knot() {
+  constexpr float kBelow = 0.18F;  // of the picture's height
+  if (!scene_.ties()) return false;
+  look(CameraPreset::kNear);
+  point_.camera.pan(0, -kBelow);
+  point_.camera.jump();
+  return true;
+}
+
 void SceneView::set_stereo(const StereoLook& look) {
   point_.set_stereo(look);
   lay_out();

@@ -279,8 +279,10 @@ TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
   point.look(CameraPreset::kNear);
   point.camera.jump();
   EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
+  EXPECT_TRUE(state.ties());
   card.objects[1].traits.pop_back();
   state.set_card(card);
+  EXPECT_FALSE(state.ties());
   EXPECT_FALSE(state.subject().has_value()) << "no tissue, and no mark";
 }
 
