@@ -108,13 +108,20 @@ std::optional<QVector3D> SceneState::first_point() const {
   return {};
 }
 
-std::optional<QVector3D> SceneState::subject() const { return ties() ? parts_.stitch : first_point(); }
-
-bool SceneState::ties() const {
-  const bool thread_alone = std::any_of(parts_.threads.begin(), parts_.threads.end(),
-                                        [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
-  return parts_.stitch && thread_alone;
+std::optional<QVector3D> SceneState::subject() const {
+  if (ties()) return parts_.stitch;
+  const auto point = first_point();
+  return !point && has_knot() ? parts_.knot : point;
 }
+
+bool SceneState::thread_alone() const {
+  return std::any_of(parts_.threads.begin(), parts_.threads.end(),
+                     [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
+}
+
+bool SceneState::ties() const { return parts_.stitch && thread_alone(); }
+
+bool SceneState::has_knot() const { return parts_.knot && thread_alone() && !has_target(); }
 
 std::vector<QVector3D> SceneState::points() const {
   std::vector<QVector3D> out;

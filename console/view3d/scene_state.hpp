@@ -70,10 +70,13 @@ class SceneState {
   QVector3D aim_near(const QVector3D& tips, float reach) const;
   /// Position of the first mark that is a point in the world.
   std::optional<QVector3D> first_point() const;
-  /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point.
+  /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point, else a
+  /// knot.
   std::optional<QVector3D> subject() const;
   /// Whether that is a stitch to be tied.
   bool ties() const;
+  /// Whether the lesson is about a knot that is there from the start, and marks no point.
+  bool has_knot() const;
   /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;
@@ -85,6 +88,7 @@ class SceneState {
 
  private:
   bool follow_led_tool();
+  bool thread_alone() const;
 
   snapshot::SceneCard card_;
   SceneParts parts_;
