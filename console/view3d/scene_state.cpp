@@ -88,6 +88,11 @@ QVector3D SceneState::middle_of_tips() const {
   return parts_.tips.empty() ? sum : sum / static_cast<float>(parts_.tips.size());
 }
 
+std::optional<uint32_t> SceneState::active_tool() const {
+  if (parts_.tips_of.empty()) return {};
+  return parts_.tips_of.contains(led_) ? led_ : parts_.tips_of.begin()->first;
+}
+
 QVector3D SceneState::aim_near(const QVector3D& tips, float reach) const {
   QVector3D aim = tips;
   float least = 1e30F;

@@ -66,6 +66,8 @@ class SceneState {
   QVector3D place_of(const Spot& spot) const;
   /// The middle between the tips of the active tool.
   QVector3D middle_of_tips() const;
+  /// The object that this tool is; no value without a tool.
+  std::optional<uint32_t> active_tool() const;
   /// The nearest object that may be grasped; once the tips are within `reach` of it, the mark to which it is to be brought.
   QVector3D aim_near(const QVector3D& tips, float reach) const;
   /// Position of the first mark that is a point in the world.
