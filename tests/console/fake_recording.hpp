@@ -69,10 +69,11 @@ class FakePuller final : public console::KnotPuller {
     bool broke = false;
     std::string no_knot;  // non-empty: why nothing can be pulled
     uint64_t steps = 10;
+    double loop_m = 4.6e-3;
   };
   FakePuller(snapshot::SceneCard card, const Script& script, const console::PullWish& wish) : card_(std::move(card)), script_(script), wish_(wish) {}
   const snapshot::SceneCard& card() const override { return card_; }
-  console::PulledKnot knot() const override { return {QStringLiteral("2 -1 1"), 4.6e-3, wish_.friction > 0 ? wish_.friction : 0.3}; }
+  console::PulledKnot knot() const override { return {QStringLiteral("2 -1 1"), script_.loop_m, wish_.friction > 0 ? wish_.friction : 0.3}; }
   bool step(uint64_t most) override {
     at_ = std::min(at_ + most, script_.steps);
     return at_ < script_.steps;

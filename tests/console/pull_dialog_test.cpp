@@ -6,9 +6,11 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QTableView>
+#include <cmath>
 
 #include "console/app/language.hpp"
 #include "console/pages/pull_dialog.hpp"
+#include "console/view3d/scene_view.hpp"
 #include "console/widgets/parts.hpp"
 #include "session/sentences.hpp"
 #include "window_fixture.hpp"
@@ -95,6 +97,23 @@ TEST_F(PullPages, WithoutAKnotAtTheCursorItIsSaidWhy) {
   click("review_pull");
   EXPECT_TRUE(child<QLabel>("review_note")->text().contains("There is no knot.")) << child<QLabel>("review_note")->text().toStdString();
   EXPECT_TRUE(child<QLabel>("review_note")->text().contains("00:00"));
+}
+
+// The pins draw the loop straight; a wide loop of a single throw left the picture of a usual one.
+TEST_F(PullPages, TheWholeLoopIsInThePicture) {
+  for (const double loop_m : {4.6e-3, 9e-3}) {
+    pull.loop_m = loop_m;
+    open_review();
+    EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) {
+      const auto& camera = dialog.findChild<console::SceneView*>()->camera();
+      const auto half_mm = static_cast<float>(500 * loop_m);
+      EXPECT_NEAR(camera.focus().x(), 0.5F * half_mm - 0.25F, 1e-3F);
+      const float half_height_mm = camera.distance() * std::tan(0.5F * console::OrbitCamera::kFovDeg * 0.0174533F);
+      EXPECT_GT(half_height_mm, half_mm) << "the loop drawn to either side";
+      EXPECT_LT(half_height_mm, half_mm + 2) << "and no smaller than need be";
+    }));
+    window.reset();
+  }
 }
 
 TEST_F(PullPages, AskedForOnTheWayItIsPulledOnceThePictureIsThere) {
