@@ -97,8 +97,8 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
   const bool same = row.person_id == first.attempt.person_id;
   ghost_name_ = !review_.hand.isEmpty() ? review_.hand : same ? tr("Other attempt") : person;
   const QString who = review_.hand.isEmpty() ? person : tr("%1, %2").arg(person, review_.hand);
-  // the row stands above both pictures; where two lines have no room for all, the date goes first
-  title_->setText(tr("Right: %1: %2, %3").arg(who, review_.verdict(), when_text(QString::fromStdString(row.started_utc))));
+  // the row stands above both pictures; where two lines have no room for all, the date goes first, and the verdict stays
+  title_->setText(tr("Right: %1; %2, %3").arg(review_.verdict(), who, when_text(QString::fromStdString(row.started_utc))));
   problem_->setVisible(!player_);
   if (player_) {
     view_->set_card(player_->card(), CameraPreset::kOrbit);

@@ -1712,8 +1712,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Right: %1: %2, %3</source>
-        <translation>Rechts: %1: %2, %3</translation>
+        <source>Right: %1; %2, %3</source>
+        <translation>Rechts: %1; %2, %3</translation>
     </message>
 </context>
 <context>
