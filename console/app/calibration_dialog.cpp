@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 #include "sensor/calibration_file.hpp"
 
@@ -174,7 +175,7 @@ void CalibrationDialog::connect_sensor() {
   const std::string why = bench_.open(port_->currentText().toStdString(), rate_->currentData().toInt());
   if (!why.empty()) {
     sensor_->setText(tr("○ Not connected"));
-    return say(QString::fromStdString(why), true);
+    return say(said_message(why), true);
   }
   say({}, false);
   asked_s_ = sensor::now_s();
@@ -227,7 +228,7 @@ void CalibrationDialog::measure(int what, QWidget* then) {
 void CalibrationDialog::measured() {
   const int what = std::exchange(measuring_, -1);
   double volts = 0;
-  if (const std::string why = bench_.mean(volts); !why.empty()) return say(QString::fromStdString(why), true);
+  if (const std::string why = bench_.mean(volts); !why.empty()) return say(said_message(why), true);
   say({}, false);
   if (what == kZero) {
     draft_.zero_volts = volts, draft_.zero_gauge_N = bench_.gauge();

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/app/session_player.hpp"
 
+#include <QStringList>
 #include <utility>
 
 #include "console/models/qt_text.hpp"
+#include "console/models/said.hpp"
 #include "session/knot_pull.hpp"
 #include "session/playback.hpp"
 #include "session/rehearsal.hpp"
 
 namespace swage::console {
 namespace {
+
+/// "3 islands not converged, 1 contacts dropped ...", in the language of the window.
+QString health_text(const std::string& health) {
+  QStringList parts = qt(health).split(QStringLiteral(", "), Qt::SkipEmptyParts);
+  for (QString& part : parts) part = part.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + said(part.section(QLatin1Char(' '), 1));
+  return parts.join(QStringLiteral(", "));
+}
 
 class SessionPuller final : public KnotPuller {
  public:
@@ -24,7 +33,7 @@ class SessionPuller final : public KnotPuller {
   }
   PullState state() const override {
     const session::Pulled now = session::pulled(*pull_);
-    return {now.over, now.holds, now.reason == "failed.broke", now.bears, now.slip, qt(now.health)};
+    return {now.over, now.holds, now.reason == "failed.broke", now.bears, now.slip, health_text(now.health)};
   }
   void fill(snapshot::Snapshot& out) const override { pull_->fill(out); }
 

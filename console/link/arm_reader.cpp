@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -31,7 +33,7 @@ QString ArmReader::start() {
   session_ = opener_(options_, problems);
   if (!session_) {
     for (const base::Problem& p : problems)
-      if (p.severity == base::Severity::kError) return QString::fromStdString(p.message);
+      if (p.severity == base::Severity::kError) return said_message(p.message);
     return tr("The instrument cannot be opened.");
   }
   session_->start();

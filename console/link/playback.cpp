@@ -68,7 +68,9 @@ void Playback::advance() {
 void Playback::tick() {
   if (playing_) advance();
   const bool there = scenes_.toward(wanted_s_, kMostSteps);
-  if (there && !playing_) timer_.stop();
+  if (!there || playing_) return;
+  timer_.stop();
+  Q_EMIT rested();
 }
 
 }  // namespace swage::console

@@ -40,6 +40,8 @@ class Playback : public QObject {
   /// The cursor moved.
   void moved(double time_s);
   void playing_changed(bool playing);
+  /// The scenes have reached a cursor at rest.
+  void rested();
   /// An empty span: no loop.
   void looped(double from_s, double to_s);
 

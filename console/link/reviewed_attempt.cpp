@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "console/models/metric_limits.hpp"
+#include "console/models/said.hpp"
 
 namespace swage::console {
 namespace {
@@ -57,9 +58,8 @@ QString ReviewedAttempt::open_file(const QString& file) {
   if (attempts.size() != 1) {
     if (store_ && error.empty()) error = store_->trouble();
     if (error.empty())
-      error = attempts.empty() ? path + " holds no attempt."
-                               : path + " is a store of several attempts: start with --store to see them.";
-    return QString::fromStdString(error);
+      return (attempts.empty() ? Words::tr("%1 holds no attempt.") : Words::tr("%1 is a store of several attempts: start with --store to see them.")).arg(file);
+    return said_message(error);
   }
   return show(QString::fromStdString(attempts.front().id),
               [this, path](const std::string& id, record::Recording& out, std::string& why) { return read_file_(path, id, out, why); });
@@ -82,14 +82,14 @@ QString ReviewedAttempt::show(const QString& id, const RecordingReader& reader) 
   record::AttemptRow row;
   std::string error;
   if (!find(id.toStdString(), row))
-    return store_->trouble().empty() ? Words::tr("This attempt is no longer in the store.") : QString::fromStdString(store_->trouble());
+    return store_->trouble().empty() ? Words::tr("This attempt is no longer in the store.") : said_message(store_->trouble());
   if (!reader || !reader(row.id, recording_, error)) {
     recording_ = {};
-    return Words::tr("The attempt cannot be read: %1").arg(QString::fromStdString(error));
+    return Words::tr("The attempt cannot be read: %1").arg(said_message(error));
   }
   base::Problems problems;
   if (opener_) player_ = opener_(recording_, problems);
-  if (!player_ && !problems.empty()) no_player_ = QString::fromStdString(problems.front().message);
+  if (!player_ && !problems.empty()) no_player_ = said_message(problems.front().message);
   review_.attempt = row;
   read_moments();
   return {};
@@ -114,7 +114,7 @@ void ReviewedAttempt::read_moments() {
 QString ReviewedAttempt::read_other(const std::string& id, record::AttemptRow& row, record::Recording& recording) const {
   std::string error;
   if (store_->attempt(id, row) && reader_ && reader_(id, recording, error)) return {};
-  return Words::tr("The other attempt cannot be read: %1").arg(QString::fromStdString(error.empty() ? store_->trouble() : error));
+  return Words::tr("The other attempt cannot be read: %1").arg(said_message(error.empty() ? store_->trouble() : error));
 }
 
 bool ReviewedAttempt::add_note(const QString& text, double time_s) {

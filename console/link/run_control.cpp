@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/link/run_control.hpp"
 
+#include "console/models/said.hpp"
 #include "console/view3d/scene_parts.hpp"
 
 namespace swage::console {
@@ -93,7 +94,7 @@ QString RunControl::change(const std::string& instance, const std::string& json)
   if (!running()) return tr("Nothing runs.");
   base::Problems problems;
   if (session_->change(instance, json, problems)) return {};
-  return problems.empty() ? tr("It was refused.") : QString::fromStdString(problems.front().message);
+  return problems.empty() ? tr("It was refused.") : said_message(problems.front().message);
 }
 
 void RunControl::poll() {

@@ -4,6 +4,8 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -72,7 +74,7 @@ record::School* SchoolDesk::school() {
   std::string error;
   if (opener_) school_ = opener_(error);
   if (school_) return school_.get();
-  problem_ = error.empty() ? tr("Nothing is kept: the program was started without a store.") : QString::fromStdString(error);
+  problem_ = error.empty() ? tr("Nothing is kept: the program was started without a store.") : said_message(error);
   return nullptr;
 }
 
@@ -91,7 +93,7 @@ bool SchoolDesk::call(const Call& what) {
   record::School* s = school();
   why_.clear();
   succeeded_ = s && what(*s);
-  if (s && !succeeded_) problem_ = QString::fromStdString(why_.empty() ? s->error() : why_);
+  if (s && !succeeded_) problem_ = said_message(why_.empty() ? s->error() : why_);
   if (succeeded_)
     Q_EMIT changed();
   else

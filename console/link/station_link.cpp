@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <utility>
 
+#include "console/models/said.hpp"
 #include "record/identity.hpp"
 
 namespace swage::console {
@@ -135,12 +136,12 @@ class StationWorker : public QObject {
   void tell_problem(const std::string& sentence) {
     error_ = sentence;
     post([sentence](StationLink& l) {
-      const QString now = QString::fromStdString(sentence);
+      const QString now = said_message(sentence);
       if (std::exchange(l.problem_, now) != now) Q_EMIT l.problem_changed();
     });
   }
   void tell_refused() {
-    post([why = error_](StationLink& l) { Q_EMIT l.refused(QString::fromStdString(why)); });
+    post([why = error_](StationLink& l) { Q_EMIT l.refused(said_message(why)); });
   }
 
   void look() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/link/store_link.hpp"
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 
 std::shared_ptr<record::Store> StoreLink::store() {
@@ -12,7 +14,7 @@ std::shared_ptr<record::Store> StoreLink::store() {
   if (opener_) store_ = opener_(error);
   if (!store_)
     problem_ = error.empty() ? tr("Nothing is kept: the program was started without a store.")
-                             : tr("The attempts cannot be read: %1").arg(QString::fromStdString(error));
+                             : tr("The attempts cannot be read: %1").arg(said_message(error));
   if (!store_) return nullptr;
   if (const int n = store_->recover(); n > 0) Q_EMIT recovered(n);
   return store_;

@@ -205,7 +205,7 @@ void fit_curve(MetricSeries& series) {
   if (!curve.fitted) {
     const judge::Recent last = judge::recent(values);
     series.fit = QObject::tr("No curve: %1 Median of the last %2: %3 (%4 to %5).")
-                     .arg(QString::fromStdString(curve.why_not))
+                     .arg(said_message(curve.why_not))
                      .arg(last.n)
                      .arg(text(last.median), text(last.low), text(last.high)) ;
     return;

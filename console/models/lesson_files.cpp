@@ -90,8 +90,8 @@ QString problem_words(const base::Problems& problems, const QString& file) {
     if (p.severity != base::Severity::kError) continue;
     const auto line = QRegularExpression(QStringLiteral(":(\\d+)(?: #|$)")).match(QString::fromStdString(p.where));
     const QString name = QFileInfo(file).fileName();
-    words += line.hasMatch() ? QObject::tr("%1, line %2: %3").arg(name, line.captured(1), said(p.message))
-                             : QObject::tr("%1: %2").arg(name, said(p.message));
+    words += line.hasMatch() ? QObject::tr("%1, line %2: %3").arg(name, line.captured(1), said_message(p.message))
+                             : QObject::tr("%1: %2").arg(name, said_message(p.message));
   }
   if (words.isEmpty()) return {};
   const auto more = words.size() - 1;

@@ -25,7 +25,7 @@ LessonEntry read_lesson(const QString& path) {
   base::Problems problems;
   assembly::read_lesson_file(path.toStdString(), lesson, problems);
   if (const base::Problem* error = first_error(problems)) {
-    entry.problem = qt(error->where + ": " + error->message);
+    entry.problem = qt(error->where + ": ") + said_message(error->message);
     const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text));
     entry.other = !json.isNull() && !json[QStringLiteral("format")].toString().startsWith(QLatin1String("swage-lesson"));
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "console/models/sentence_words.hpp"
 #include "console/models/words.hpp"
 #include "host/words.hpp"
 
@@ -19,6 +20,7 @@ struct Known {
   host::Words words;                 // from all files; of two translations the first
   host::Words english;               // English names of events and signals, used where this language has none
   QHash<QString, host::Words> by_folder;
+  SentenceWords sentences{};         // of `words`
   base::Problems problems;
 };
 
@@ -51,7 +53,10 @@ const std::string* find(std::string_view words) {
 
 }  // namespace
 
-void set_words_language(const QString& language) { known() = in_language(language); }
+void set_words_language(const QString& language) {
+  known() = in_language(language);
+  known().sentences = SentenceWords(known().words);
+}
 
 const QString& words_language() { return known().language; }
 
@@ -67,6 +72,7 @@ void learn_words(const QString& folder) {
   read(language, own);
   if (language != kEnglish) read(kEnglish, known().english);
   known().words.insert(own.begin(), own.end());
+  known().sentences = SentenceWords(known().words);
   for (base::Problem& p : problems) {
     qWarning().noquote() << QString::fromStdString(p.where + ": " + p.message);
     known().problems.push_back(std::move(p));
@@ -81,6 +87,11 @@ QString said(const std::string& words) {
 }
 
 QString said(const QString& words) { return said(words.toStdString()); }
+
+QString said_message(const std::string& message) {
+  const std::string sentences = known().sentences.of(message);
+  return QString::fromStdString(sentences.empty() ? message : sentences);
+}
 
 QString said(const std::string& words, const std::string& folder) {
   const auto own = known().by_folder.constFind(QFileInfo(QString::fromStdString(folder)).absoluteFilePath());

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <nlohmann/json.hpp>
 
+#include "console/models/said.hpp"
 #include "assembly/parts.hpp"
 #include "assembly/settings.hpp"
 
@@ -65,7 +66,7 @@ QString change_whole(Json& file, const Variant& changed) {
   if (!changed.remove.empty()) assembly::remove_parts({changed.remove, none, ""}, file, none, problems);
   if (!changed.add.empty()) assembly::add_parts({changed.add, none, ""}, file, none, problems);
   for (const auto& [what, value] : changed.set) assembly::set_in(file, {what, value}, "", problems, pointers);
-  return problems.empty() ? QString() : QString::fromStdString(problems.front().message);
+  return problems.empty() ? QString() : said_message(problems.front().message);
 }
 
 }  // namespace

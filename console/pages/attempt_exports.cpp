@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QSaveFile>
 
+#include "console/models/said.hpp"
 #include "console/report/attempt_report.hpp"
 #include "console/widgets/parts.hpp"
 #include "console/widgets/save_file.hpp"
@@ -67,7 +68,7 @@ void AttemptExports::set_available(bool on) {
 QString AttemptExports::write_swage(const QString& file) const {
   std::string error;
   const bool ok = attempt_.store() && attempt_.store()->export_attempt(attempt_.review().attempt.id, file.toStdString(), error);
-  return ok ? QString() : tr("%1 cannot be written: %2").arg(file, QString::fromStdString(error));
+  return ok ? QString() : tr("%1 cannot be written: %2").arg(file, said_message(error));
 }
 
 // writes numbers only; what they were measured with is written beside them

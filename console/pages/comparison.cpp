@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -52,7 +53,7 @@ void Comparison::make_head() {
   head_ = new QWidget(parentWidget());
   auto* row = new QHBoxLayout(head_);
   row->setContentsMargins(0, 0, 0, 0);
-  title_ = new ElidedLabel(head_);
+  title_ = new ElidedLabel(head_, 2);  // two lines are as high as the controls beside them
   title_->setObjectName(QStringLiteral("other_title"));
   row->addWidget(title_, kTitle);
   auto* label = make_muted(tr("Align"), head_);
@@ -96,14 +97,15 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
   const bool same = row.person_id == first.attempt.person_id;
   ghost_name_ = !review_.hand.isEmpty() ? review_.hand : same ? tr("Other attempt") : person;
   const QString who = review_.hand.isEmpty() ? person : tr("%1, %2").arg(person, review_.hand);
-  // the row stands above both pictures; where it has no room for all, the date goes first
-  title_->setText(tr("Right: %1: %2, %3").arg(who, review_.verdict(), when_text(QString::fromStdString(row.started_utc))));
+  // the row stands above both pictures; where two lines have no room for all, the date goes first, and the verdict stays
+  title_->setText(tr("Right: %1; %2, %3").arg(review_.verdict(), who, when_text(QString::fromStdString(row.started_utc))));
   problem_->setVisible(!player_);
   if (player_) {
     view_->set_card(player_->card(), CameraPreset::kOrbit);
+    view_->look_at_knot();
   } else {
     problem_->setText(tr("The picture cannot be replayed: %1")
-                          .arg(problems.empty() ? QString() : QString::fromStdString(problems.front().message)));
+                          .arg(problems.empty() ? QString() : said_message(problems.front().message)));
   }
   fill_events(first);
 }

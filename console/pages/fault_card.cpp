@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 #include "record/recorder.hpp"
 
@@ -61,7 +62,7 @@ void FaultCard::say_unrecorded() { say(tr("▲ NOT RECORDED: nothing of this att
 void FaultCard::show_record_warning(const base::Problems& problems) {
   for (const base::Problem& p : problems) {
     if (p.severity == base::Severity::kNote || !p.where.starts_with(record::kRecordPlace)) continue;
-    say(QStringLiteral("▲ ") + QString::fromStdString(p.message));
+    say(QStringLiteral("▲ ") + said_message(p.message));
   }
 }
 
@@ -73,10 +74,10 @@ void FaultCard::show_problems(const base::Problems& problems) {
     if (p.severity != base::Severity::kError) continue;
     only_record = p.where.starts_with(record::kRecordPlace);
     if (!only_record) break;
-    refused_ = QString::fromStdString(p.message);
+    refused_ = said_message(p.message);
   }
   set_offered(only_record);
-  for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
+  for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    ") + said_message(p.message);
   words_->setToolTip(lines.join(QLatin1Char('\n')));
   const qsizetype more = lines.size() - kMostProblems;
   lines = lines.first(std::min(lines.size(), kMostProblems));

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 
 void GuideControl::begin(const session::Options& like, bool wanted) {
@@ -17,7 +19,7 @@ void GuideControl::begin(const session::Options& like, bool wanted) {
   }
   for (const base::Problem& p : problems) {
     if (p.severity != base::Severity::kError) continue;
-    Q_EMIT noted(0, tr("No guide"), QString::fromStdString(p.message));
+    Q_EMIT noted(0, tr("No guide"), said_message(p.message));
     return;
   }
 }

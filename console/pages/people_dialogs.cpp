@@ -151,9 +151,9 @@ void RosterDialog::open_file() {
   if (!file.open(QIODevice::ReadOnly)) return says_->setText(tr("▲ %1 cannot be read: %2.").arg(name, file.errorString()));
   std::string text, told, error;
   if (!record::decode_list(file.readAll().toStdString(), text, told, error))
-    return says_->setText(tr("▲ %1").arg(said(QString::fromStdString(error))));
+    return says_->setText(tr("▲ %1").arg(said_message(error)));
   text_->setPlainText(QString::fromStdString(text));
-  if (!told.empty()) says_->setText((QStringLiteral("▲ %1 %2").arg(said(QString::fromStdString(told)), says_->text())).trimmed());
+  if (!told.empty()) says_->setText((QStringLiteral("▲ %1 %2").arg(said_message(told), says_->text())).trimmed());
 }
 
 void RosterDialog::read() {

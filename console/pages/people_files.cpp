@@ -25,7 +25,7 @@ std::vector<record::Exported> PeopleFiles::exported(const QString& id, const std
   std::vector<record::Exported> out;
   std::string error;
   if (!exported_) return out;
-  if (!exported_({}, {id.toStdString(), lesson_id, {}}, out, error)) Q_EMIT told(tr("▲ %1").arg(QString::fromStdString(error)));
+  if (!exported_({}, {id.toStdString(), lesson_id, {}}, out, error)) Q_EMIT told(tr("▲ %1").arg(said_message(error)));
   return out;
 }
 

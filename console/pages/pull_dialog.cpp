@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "console/models/words.hpp"
@@ -19,13 +20,14 @@ namespace {
 constexpr double kMilli = 1e-3;
 // ms between two pictures, and of stepping in each: a step takes some 0.6 ms, so that 5 s of the pull take about 5 s
 constexpr int kPicture_ms = 40, kStepping_ms = 30;
-// The knot and both pins as the loop is drawn apart by 1 mm, in a picture of some 8 mm.
-const QVector3D kMiddle_mm{0.5F, 0, 0};
-constexpr float kNearer = 8;    // notches of the wheel
+constexpr float kPin_mm = 0.25F;  // from the middle between the pins to the one that stays
+constexpr float kBeside_mm = 1;   // of the picture beyond a loop that is drawn straight
 constexpr uint64_t kSteps = 5;  // between two looks at the clock
 
 /// Tensions of threads are told in mN.
-QString tension_text(double N) { return with_unit(QStringLiteral("%L1").arg(N / kMilli, 0, 'f', 0), "mN"); }
+QString tension_text(double N) {
+  return std::isfinite(N) ? with_unit(QStringLiteral("%L1").arg(N / kMilli, 0, 'f', 0), "mN") : QStringLiteral("–");
+}
 
 }  // namespace
 
@@ -130,8 +132,13 @@ bool PullDialog::pull() {
   if (first) friction_->setValue(knot.friction);
   knot_->setText(tr("Knot %1 as it is at %2, loop %3").arg(knot_text(knot.word), clock_text(at_s_), quantity_text(knot.loop_m, QStringLiteral("m"))));
   view_->set_card(puller_->card(), CameraPreset::kTop);
-  view_->look(CameraPreset::kTop, kNearer);
-  view_->camera().stay_at(kMiddle_mm);
+  // the loop as it is drawn straight, from the pin that stays: half its length
+  const auto half_mm = static_cast<float>(0.5 * knot.loop_m / kMilli);
+  const QVector3D middle_mm(0.5F * half_mm - kPin_mm, 0, 0);
+  view_->camera().frame(middle_mm, half_mm + kBeside_mm);
+  view_->look(CameraPreset::kTop);
+  view_->camera().stay_at(middle_mm);
+  view_->camera().jump();
   state_ = {};
   show_state();
   timer_.start();
@@ -151,12 +158,13 @@ void PullDialog::show_state() {
   state_ = puller_->state();
   puller_->fill(*snapshot_);
   view_->show_snapshot(*snapshot_);
-  share_->setValue(static_cast<int>(1000 * std::min(1.0, state_.bears_N / wish_.load_N)));
+  const double share = std::isfinite(state_.bears_N) ? state_.bears_N / wish_.load_N : 0;  // nothing is measured before the first step
+  share_->setValue(static_cast<int>(1000 * std::min(1.0, share)));
   const QString bears = tension_text(state_.bears_N), slip = quantity_text(state_.slip_m, QStringLiteral("m"));
   numbers_->setText(tr("Tension %1, slip %2").arg(bears, slip));
-  QString said;
+  QString said = tr("Being pulled …");
   if (state_.over) said = state_.holds ? tr("✓ It holds.") : state_.broke ? tr("▲ The thread parts.") : tr("▲ It gives way.");
-  if (!said.isEmpty() && !state_.health.isEmpty()) said += QStringLiteral("\n") + tr("The solver fell short: %1").arg(state_.health);
+  if (state_.over && !state_.health.isEmpty()) said += QStringLiteral("\n") + tr("The solver fell short: %1").arg(state_.health);
   result_->setText(said);
   keep_->setEnabled(state_.over);
 }

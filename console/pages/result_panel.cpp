@@ -238,7 +238,7 @@ void ResultPanel::add_ratings(const session::Result& r) {
 void ResultPanel::show_notes(const session::Result& r) {
   QStringList notes;
   for (const base::Problem& p : r.problems) {
-    if (p.severity != base::Severity::kNote) notes += QString::fromStdString(p.where + ": " + p.message);
+    if (p.severity != base::Severity::kNote) notes += QString::fromStdString(p.where + ": ") + said_message(p.message);
   }
   problems_->setText(notes.join(QLatin1Char('\n')));
   problems_->setVisible(!notes.isEmpty());

@@ -4,9 +4,12 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QInputDialog>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "console/models/qt_text.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/attempt_chooser.hpp"
 #include "console/pages/comparison.hpp"
@@ -58,7 +61,9 @@ void ReviewPage::connect_parts() {
     timeline_->set_cursor(time_s);
     side_->set_cursor(time_s);
     transport_->set_time(time_s);
+    forget_moment(time_s);
   });
+  connect(&playback_, &Playback::rested, this, &ReviewPage::pull_if_asked);
   connect(&playback_, &Playback::playing_changed, transport_, &ReviewTransport::set_playing);
   connect(&playback_, &Playback::looped, timeline_, &Timeline::set_loop);
   connect(transport_, &ReviewTransport::gone_to, this, &ReviewPage::go);
@@ -187,8 +192,8 @@ QWidget* ReviewPage::make_view() {
   column->setSpacing(6);
   pictures_ = new ReviewPictures(attempt_, box);
   column->addWidget(pictures_, 1);
-  // one line with the whole text as tooltip: a wrapped sentence would make the page taller than the window
-  note_ = new ElidedLabel(box);
+  // two lines at most, the whole text as tooltip: more would make the page taller than a small window
+  note_ = new ElidedLabel(box, 2);
   note_->setProperty("muted", true);
   note_->setObjectName(QStringLiteral("review_note"));
   note_->hide();
@@ -213,13 +218,37 @@ void ReviewPage::show_problem(const QString& text) {
 }
 
 void ReviewPage::show_note(const QString& text) {
+  note_at_s_.reset();
   note_->setText(text);
   note_->show();
+}
+
+void ReviewPage::show_note_here(const QString& text) {
+  show_note(text);
+  note_at_s_ = playback_.wanted_s();
+}
+
+// what is said of another moment goes
+void ReviewPage::forget_moment(double time_s) {
+  const auto another = [time_s](const std::optional<double>& at_s) { return at_s && *at_s != time_s; };
+  if (another(pull_at_s_)) pull_at_s_.reset();
+  if (!another(note_at_s_)) return;
+  note_at_s_.reset();
+  note_->hide();
+}
+
+void ReviewPage::pull_if_asked() {
+  if (!std::exchange(pull_at_s_, std::nullopt)) return;
+  note_at_s_.reset();
+  note_->hide();
+  QTimer::singleShot(0, this, &ReviewPage::ask_pull);  // after the picture of this moment
 }
 
 // Nothing refers to the attempt any more: another one can be opened.
 void ReviewPage::leave() {
   playback_.stop();
+  pull_at_s_.reset();
+  note_at_s_.reset();
   end_comparison();
   timeline_->set_review(nullptr, nullptr);
 }
@@ -319,19 +348,22 @@ void ReviewPage::ask_compare() {
 void ReviewPage::ask_pull() {
   if (!pull_->isVisible()) return;
   if (playing()) toggle_play();
-  if (playback_.moving()) return show_note(tr("▲ The picture is not yet at the cursor: pull the knot when it is."));
   const double at_s = playback_.wanted_s();
+  if (playback_.moving()) {
+    pull_at_s_ = at_s;
+    return show_note_here(tr("The knot is pulled as soon as the picture is at the cursor."));
+  }
   PullDialog::Services services;
   services.open = [this](const PullWish& wish, QString& why) {
     base::Problems problems;
     auto puller = attempt_.player()->pull_knot(wish, problems);
-    why = puller ? QString() : problems.empty() ? tr("This attempt has no knot.") : qt(problems.back().message);
+    why = puller ? QString() : problems.empty() ? tr("This attempt has no knot.") : said_message(problems.back().message);
     return puller;
   };
   if (attempt_.can_note()) services.keep = [this, at_s](const QString& text) { return attempt_.add_note(text, at_s); };
   services.dress = [this](SceneView& view) { pictures_->set_colours(view); };
   PullDialog dialog(std::move(services), at_s, this);
-  if (!dialog.pull()) return show_note(tr("▲ At %1: %2 Go to where it is tied, such as the end.").arg(clock_text(at_s), dialog.why()));
+  if (!dialog.pull()) return show_note_here(tr("▲ At %1: %2 Go to where it is tied, such as the end.").arg(clock_text(at_s), dialog.why()));
   dialog.exec();
 }
 

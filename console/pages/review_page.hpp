@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QWidget>
+#include <optional>
 
 #include "console/link/playback.hpp"
 #include "console/link/reviewed_attempt.hpp"
@@ -84,6 +85,10 @@ class ReviewPage : public QWidget {
   bool show_opened(const QString& problem);
   void show_problem(const QString& text);
   void show_note(const QString& text);
+  /// A note about the moment at the cursor, until the cursor leaves it.
+  void show_note_here(const QString& text);
+  void forget_moment(double time_s);
+  void pull_if_asked();
   void show_review();
   void show_other();
   void show_compared();
@@ -94,6 +99,7 @@ class ReviewPage : public QWidget {
 
   ReviewedAttempt attempt_;
   Playback playback_;
+  std::optional<double> note_at_s_, pull_at_s_;  // moment of the note that is shown; where the knot is pulled once the picture is there
   QLabel *headline_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *problem_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ReviewPictures* pictures_ = nullptr;

@@ -45,6 +45,7 @@ void ReviewPictures::show_scene() {
 // The whole scene with its cues, also of a test: it is over.
 void ReviewPictures::dress(SceneView* view) {
   view->set_card(attempt_.player()->card(), CameraPreset::kOrbit);
+  view->look_at_knot();
   if (view == view_) return;
   view->set_cues_shown(true);
   view->set_task(tr("Replay: %1").arg(attempt_.review().title()));

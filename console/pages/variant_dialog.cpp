@@ -266,7 +266,7 @@ QString VariantDialog::fault_words(const base::Problem& problem) const {
   const QString set = where.section(QStringLiteral("/set/"), 1).section(QLatin1Char('/'), 0, 0);
   const QString id = set.isEmpty() ? where.section(QStringLiteral("/params/"), 1).section(QLatin1Char('/'), 0, 0) : set.section(QLatin1Char('.'), 1);
   const QString name = id.isEmpty() ? QString() : form_->title_of(id.toStdString(), set.section(QLatin1Char('.'), 0, 0).toStdString());
-  const QString words = said(problem.message);
+  const QString words = said_message(problem.message);
   return name.isEmpty() || words.contains(name) ? words : QStringLiteral("%1: %2").arg(name, words);
 }
 

@@ -512,6 +512,14 @@
         <source>The other attempt cannot be read: %1</source>
         <translation>Der andere Versuch kann nicht gelesen werden: %1</translation>
     </message>
+    <message>
+        <source>%1 holds no attempt.</source>
+        <translation>%1 enthält keinen Versuch.</translation>
+    </message>
+    <message>
+        <source>%1 is a store of several attempts: start with --store to see them.</source>
+        <translation>%1 ist eine Ablage mit mehreren Versuchen: mit --store starten, um sie zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>SceneMarks</name>
@@ -1704,8 +1712,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Right: %1: %2, %3</source>
-        <translation>Rechts: %1: %2, %3</translation>
+        <source>Right: %1; %2, %3</source>
+        <translation>Rechts: %1; %2, %3</translation>
     </message>
 </context>
 <context>
@@ -3794,7 +3802,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Pull &amp;again</source>
-        <translation>&amp;Noch einmal ziehen</translation>
+        <translation>Noch &amp;einmal ziehen</translation>
     </message>
     <message>
         <source>&amp;Keep as a note</source>
@@ -3875,6 +3883,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Kept as a note.</source>
         <translation>Als Notiz behalten.</translation>
+    </message>
+    <message>
+        <source>Being pulled …</source>
+        <translation>Wird gezogen …</translation>
     </message>
 </context>
 <context>
@@ -4118,16 +4130,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Hält der Knoten, wie er am Cursor ist? Eine Kopie davon wird gezogen (K)</translation>
     </message>
     <message>
-        <source>▲ The picture is not yet at the cursor: pull the knot when it is.</source>
-        <translation>▲ Das Bild ist noch nicht am Cursor: den Knoten ziehen, wenn es dort ist.</translation>
-    </message>
-    <message>
         <source>This attempt has no knot.</source>
         <translation>Dieser Versuch hat keinen Knoten.</translation>
     </message>
     <message>
         <source>▲ At %1: %2 Go to where it is tied, such as the end.</source>
         <translation>▲ Bei %1: %2 Dorthin gehen, wo er geknüpft ist, etwa ans Ende.</translation>
+    </message>
+    <message>
+        <source>The knot is pulled as soon as the picture is at the cursor.</source>
+        <translation>Der Knoten wird gezogen, sobald das Bild am Cursor ist.</translation>
     </message>
 </context>
 <context>

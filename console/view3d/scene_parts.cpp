@@ -348,6 +348,8 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   if (card.tips_only) keep_tips(card, parts);
   find_aim(card, parts);
   parts.stitch = find_stitch(card, parts);
+  for (const ThreadLine& thread : parts.threads)
+    if (!parts.knot) parts.knot = thread.crossing();
   return parts;
 }
 

@@ -77,6 +77,8 @@ struct SceneParts {
   std::vector<Spot> ends;  // the two places on it that are furthest apart
   /// The middle of the stitch in which a thread lies through tissue at the start, at the height of the tissue's top. World, mm.
   std::optional<QVector3D> stitch;
+  /// The knot that a thread has at the start. World, mm.
+  std::optional<QVector3D> knot;
   /// What the hand has to bring together: the tips of its tool; and the middle of the marked region, or of the watched object,
   /// or of each of several objects.
   std::vector<Spot> tips, aim;

@@ -88,6 +88,11 @@ QVector3D SceneState::middle_of_tips() const {
   return parts_.tips.empty() ? sum : sum / static_cast<float>(parts_.tips.size());
 }
 
+std::optional<uint32_t> SceneState::active_tool() const {
+  if (parts_.tips_of.empty()) return {};
+  return parts_.tips_of.contains(led_) ? led_ : parts_.tips_of.begin()->first;
+}
+
 QVector3D SceneState::aim_near(const QVector3D& tips, float reach) const {
   QVector3D aim = tips;
   float least = 1e30F;
@@ -109,10 +114,19 @@ std::optional<QVector3D> SceneState::first_point() const {
 }
 
 std::optional<QVector3D> SceneState::subject() const {
-  const bool thread_alone = std::any_of(parts_.threads.begin(), parts_.threads.end(),
-                                        [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
-  return parts_.stitch && thread_alone ? parts_.stitch : first_point();
+  if (ties()) return parts_.stitch;
+  const auto point = first_point();
+  return !point && has_knot() ? parts_.knot : point;
 }
+
+bool SceneState::thread_alone() const {
+  return std::any_of(parts_.threads.begin(), parts_.threads.end(),
+                     [&](const ThreadLine& t) { return parts_.watched < 0 || t.body == static_cast<uint32_t>(parts_.watched); });
+}
+
+bool SceneState::ties() const { return parts_.stitch && thread_alone(); }
+
+bool SceneState::has_knot() const { return parts_.knot && thread_alone() && !has_target(); }
 
 std::vector<QVector3D> SceneState::points() const {
   std::vector<QVector3D> out;

@@ -66,12 +66,19 @@ class SceneState {
   QVector3D place_of(const Spot& spot) const;
   /// The middle between the tips of the active tool.
   QVector3D middle_of_tips() const;
+  /// The object that this tool is; no value without a tool.
+  std::optional<uint32_t> active_tool() const;
   /// The nearest object that may be grasped; once the tips are within `reach` of it, the mark to which it is to be brought.
   QVector3D aim_near(const QVector3D& tips, float reach) const;
   /// Position of the first mark that is a point in the world.
   std::optional<QVector3D> first_point() const;
-  /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point.
+  /// What the lesson is about, where the view "near" looks: the stitch to be tied where no needle is there, else the first point, else a
+  /// knot.
   std::optional<QVector3D> subject() const;
+  /// Whether that is a stitch to be tied.
+  bool ties() const;
+  /// Whether the lesson is about a knot that is there from the start, and marks no point.
+  bool has_knot() const;
   /// Positions of all such marks.
   std::vector<QVector3D> points() const;
   bool has_target() const;
@@ -83,6 +90,7 @@ class SceneState {
 
  private:
   bool follow_led_tool();
+  bool thread_alone() const;
 
   snapshot::SceneCard card_;
   SceneParts parts_;

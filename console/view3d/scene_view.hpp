@@ -47,6 +47,9 @@ class SceneView : public QWidget {
   /// Copies the data that it needs; to be called at display rate.
   void show_snapshot(const snapshot::Snapshot& snapshot);
   void look(CameraPreset preset, float notches = 0);  // notches of the wheel by which it is nearer
+  /// Looks at the knot that is tied, which is below the middle of the picture as hands work above it, or at the one that is there; false where
+  /// there is none.
+  bool look_at_knot();
   OrbitCamera& camera() { return point_.camera; }
   /// False in Test mode, and by choice.
   void set_cues_shown(bool shown);

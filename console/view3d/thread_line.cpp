@@ -13,6 +13,7 @@ namespace {
 constexpr double kMostStretch = 1.5;
 // angle between neighbouring segments [rad], 4 degrees; a larger one shows as corners under the microscope
 constexpr double kTurn_rad = 0.07;
+constexpr double kUponItself = 5;  // segments along the thread between two places that touch; a bend is not a crossing
 constexpr int kMostPoints = 12;  // in a piece
 
 Vec at(std::span<const double> line, size_t i) { return {line[3 * i], line[3 * i + 1], line[3 * i + 2]}; }
@@ -68,6 +69,22 @@ double ThreadLine::length() const {
   double sum = 0;
   for (size_t i = 1; i < vertices(); ++i) sum += distance(at(start, i), at(start, i - 1));
   return sum;
+}
+
+std::optional<QVector3D> ThreadLine::crossing() const {
+  const size_t n = vertices();
+  if (n < 3) return {};
+  const double near = length() / static_cast<double>(n - 1);  // vertices of strands that touch are no further apart than those of one strand
+  std::vector<double> s(n);                                   // m, along the thread
+  for (size_t i = 1; i < n; ++i) s[i] = s[i - 1] + distance(at(start, i), at(start, i - 1));
+  Vec sum{0, 0, 0};
+  int found = 0;
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = i + 1; j < n; ++j)
+      if (s[j] - s[i] > kUponItself * near && distance(at(start, i), at(start, j)) < near) sum = sum + at(start, i) + at(start, j), found += 2;
+  if (found == 0) return {};
+  const double to_mm = 1e3 / found;
+  return QVector3D(static_cast<float>(to_mm * sum.x), static_cast<float>(to_mm * sum.y), static_cast<float>(to_mm * sum.z));
 }
 
 Mesh ThreadLine::mesh(std::span<const double> p_W, double least) const {

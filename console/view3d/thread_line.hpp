@@ -3,6 +3,8 @@
 // A flexible thread, drawn as a smooth tube through the vertices of its chain. Free of Qt3D.
 #pragma once
 
+#include <QVector3D>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,8 @@ struct ThreadLine {
 
   double length() const;  // m
   uint32_t vertices() const { return static_cast<uint32_t>(start.size() / 3); }
+  /// The middle of the places at which it lies upon itself at the start, as in a knot. World, mm.
+  std::optional<QVector3D> crossing() const;
   /// Triangles, world frame, mm. `least`: m, smallest visible radius.
   Mesh mesh(std::span<const double> p_W, double least) const;
   /// Triangles of its part [from, to] (0..1 by length), `grow` times as thick.

@@ -75,12 +75,13 @@ void ViewPoint::look_aside() {
   camera.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
 }
 
-// Direction from the tips to the handles of the tools; 0 0 0 where they come from all sides.
+// Direction from the tips to the handle of the active tool, as the other hand's stands aside; 0 0 0 without one.
 QVector3D ViewPoint::handle() const {
   const QVector3D tips = scene_.middle_of_tips();
+  const auto tool = scene_.active_tool();
   QVector3D sum;
   for (const ScenePart& part : scene_.parts().part)
-    if (part.role == Role::kTool && part.chain < 0) sum += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
+    if (part.role == Role::kTool && part.chain < 0 && part.object == tool) sum += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
   return sum.normalized();
 }
 

@@ -162,16 +162,36 @@ void size_as_shown(QStackedWidget* stack) {
   fit();
 }
 
-ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+ElidedLabel::ElidedLabel(QWidget* parent, int most) : QLabel(parent), most_(most) {
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  policy.setHeightForWidth(most > 1);
+  setSizePolicy(policy);
+}
+
+int ElidedLabel::heightForWidth(int width) const {
+  const auto more = static_cast<int>(lines(width).size()) - 1;
+  return QLabel::minimumSizeHint().height() + std::max(0, more) * fontMetrics().lineSpacing();
+}
+
+QStringList ElidedLabel::lines(int width) const {
+  QStringList out;
+  QString rest = text();
+  while (out.size() + 1 < most_ && fontMetrics().horizontalAdvance(rest) > width) {
+    qsizetype end = rest.lastIndexOf(QLatin1Char(' '));
+    while (end > 0 && fontMetrics().horizontalAdvance(rest.left(end)) > width) end = rest.lastIndexOf(QLatin1Char(' '), end - 1);
+    if (end <= 0) break;
+    out += rest.left(end);
+    rest = rest.mid(end + 1);
+  }
+  out += fontMetrics().elidedText(rest, Qt::ElideRight, width);
+  return out;
 }
 
 void ElidedLabel::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
-  style()->drawItemText(&p, rect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), shown,
-                        foregroundRole());
-  if (const QString tip = shown == text() ? QString() : text(); tip != toolTip()) setToolTip(tip);
+  const QStringList shown = lines(width());
+  style()->drawItemText(&p, rect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), shown.join(QLatin1Char('\n')), foregroundRole());
+  if (const QString tip = shown.join(QLatin1Char(' ')) == text() ? QString() : text(); tip != toolTip()) setToolTip(tip);
 }
 
 CueBadge::CueBadge(QWidget* parent) : QWidget(parent) { setFixedSize(sizeHint()); }

@@ -62,11 +62,19 @@ void size_as_shown(QStackedWidget* stack);
 /// A line of text, elided where it does not fit, with the whole text as its tooltip.
 class ElidedLabel : public QLabel {
  public:
-  explicit ElidedLabel(QWidget* parent = nullptr);
+  /// `most`: lines over which a longer text is spread before it is elided.
+  explicit ElidedLabel(QWidget* parent = nullptr, int most = 1);
   QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+  bool hasHeightForWidth() const override { return most_ > 1; }
+  int heightForWidth(int width) const override;
+  /// The text as it is shown, line by line.
+  QStringList lines(int width) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  const int most_;
 };
 
 /// The signs of one cue fact, drawn as in the picture.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "console/link/player.hpp"
 #include "fake_session.hpp"
@@ -60,29 +61,31 @@ inline std::vector<record::EventRow> fake_events() {
           {1200, 1.2, "swage", "host.gap", 4}};
 }
 
-/// A pull of ten steps, in which the tension grows to `bears_N`.
+/// A pull, in which the tension grows to `bears_N`; before the first step it has none, as in the scene.
 class FakePuller final : public console::KnotPuller {
  public:
   struct Script {
     double bears_N = 0.1, slip_m = 0.06e-3;
     bool broke = false;
     std::string no_knot;  // non-empty: why nothing can be pulled
+    uint64_t steps = 10;
+    double loop_m = 4.6e-3;
   };
   FakePuller(snapshot::SceneCard card, const Script& script, const console::PullWish& wish) : card_(std::move(card)), script_(script), wish_(wish) {}
   const snapshot::SceneCard& card() const override { return card_; }
-  console::PulledKnot knot() const override { return {QStringLiteral("2 -1 1"), 4.6e-3, wish_.friction > 0 ? wish_.friction : 0.3}; }
+  console::PulledKnot knot() const override { return {QStringLiteral("2 -1 1"), script_.loop_m, wish_.friction > 0 ? wish_.friction : 0.3}; }
   bool step(uint64_t most) override {
-    at_ = std::min(at_ + most, kSteps);
-    return at_ < kSteps;
+    at_ = std::min(at_ + most, script_.steps);
+    return at_ < script_.steps;
   }
   console::PullState state() const override {
-    const double share = static_cast<double>(at_) / static_cast<double>(kSteps);
-    return {at_ == kSteps, at_ == kSteps && script_.bears_N >= wish_.load_N, script_.broke, share * script_.bears_N, share * script_.slip_m, {}};
+    const double share = at_ == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(at_) / static_cast<double>(script_.steps);
+    const bool over = at_ == script_.steps;
+    return {over, over && script_.bears_N >= wish_.load_N, script_.broke, share * script_.bears_N, share * script_.slip_m, {}};
   }
   void fill(snapshot::Snapshot& out) const override { fake_state({}, 1e-3 * static_cast<double>(at_), out); }
 
  private:
-  static constexpr uint64_t kSteps = 10;
   snapshot::SceneCard card_;
   const Script script_;
   const console::PullWish wish_;

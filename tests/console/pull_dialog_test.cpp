@@ -3,10 +3,16 @@
 // "Pull the knot" on the Review page, by keys and clicks.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QTableView>
+#include <cmath>
 
+#include "console/app/language.hpp"
 #include "console/pages/pull_dialog.hpp"
+#include "console/view3d/scene_view.hpp"
+#include "console/widgets/parts.hpp"
+#include "session/sentences.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -91,6 +97,113 @@ TEST_F(PullPages, WithoutAKnotAtTheCursorItIsSaidWhy) {
   click("review_pull");
   EXPECT_TRUE(child<QLabel>("review_note")->text().contains("There is no knot.")) << child<QLabel>("review_note")->text().toStdString();
   EXPECT_TRUE(child<QLabel>("review_note")->text().contains("00:00"));
+}
+
+// The pins draw the loop straight; a wide loop of a single throw left the picture of a usual one.
+TEST_F(PullPages, TheWholeLoopIsInThePicture) {
+  for (const double loop_m : {4.6e-3, 9e-3}) {
+    pull.loop_m = loop_m;
+    open_review();
+    EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) {
+      const auto& camera = dialog.findChild<console::SceneView*>()->camera();
+      const auto half_mm = static_cast<float>(500 * loop_m);
+      EXPECT_NEAR(camera.focus().x(), 0.5F * half_mm - 0.25F, 1e-3F);
+      const float half_height_mm = camera.distance() * std::tan(0.5F * console::OrbitCamera::kFovDeg * 0.0174533F);
+      EXPECT_GT(half_height_mm, half_mm) << "the loop drawn to either side";
+      EXPECT_LT(half_height_mm, half_mm + 2) << "and no smaller than need be";
+    }));
+    window.reset();
+  }
+}
+
+TEST_F(PullPages, AskedForOnTheWayItIsPulledOnceThePictureIsThere) {
+  open_review();
+  review()->go(1.5);
+  ASSERT_TRUE(review()->moving());
+  bool came = false;
+  QString knot;
+  in_dialog("pull_dialog", [&](QDialog* dialog) {
+    came = !review()->moving();
+    knot = words(*dialog, "pull_knot");
+    dialog->reject();
+  });
+  QTest::keyClick(review()->timeline(), Qt::Key_K);
+  EXPECT_TRUE(child<QLabel>("review_note")->isVisible()) << "it is said that it will be";
+  EXPECT_TRUE(eventually([&] { return came; }));
+  EXPECT_TRUE(knot.contains("00:01")) << knot.toStdString();
+  EXPECT_FALSE(child<QLabel>("review_note")->isVisible());
+}
+
+TEST_F(PullPages, WhereTheCursorGoesOnNothingIsPulledAndWhatWasSaidOfTheMomentGoes) {
+  pull.no_knot = "There is no knot.";
+  open_review();
+  click("review_pull");
+  ASSERT_TRUE(child<QLabel>("review_note")->isVisible());
+  review()->go(1.9);
+  EXPECT_FALSE(child<QLabel>("review_note")->isVisible()) << "it was about another moment";
+  QTest::keyClick(review()->timeline(), Qt::Key_K);
+  review()->go(0.5);
+  ASSERT_TRUE(at_rest());
+  QApplication::processEvents();
+  EXPECT_FALSE(child<QLabel>("review_note")->isVisible()) << child<QLabel>("review_note")->text().toStdString();
+}
+
+TEST_F(PullPages, BeforeAnythingIsMeasuredThereIsNoTension) {
+  pull.steps = 1u << 30;
+  open_review();
+  bool came = false;
+  in_dialog("pull_dialog", [&](QDialog* dialog) {
+    auto* pulls = qobject_cast<console::PullDialog*>(dialog);
+    pulls->pull();  // and no step yet
+    EXPECT_EQ(words(*dialog, "pull_numbers"), "Tension –, slip –");
+    EXPECT_EQ(dialog->findChild<QProgressBar*>()->value(), 0);
+    EXPECT_EQ(words(*dialog, "pull_result"), "Being pulled …");
+    came = pulls->pulling();
+    QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  click("review_pull");
+  EXPECT_TRUE(came);
+  EXPECT_EQ(window->findChild<QDialog*>("pull_dialog"), nullptr) << "Escape ends it while it pulls";
+  EXPECT_TRUE(review()->isVisible());
+}
+
+class GermanPull : public PullPages {
+ protected:
+  void SetUp() override { ASSERT_TRUE(console::use_language(QStringLiteral("de"))); }
+  void TearDown() override {
+    window.reset();
+    console::use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+};
+
+TEST_F(GermanPull, WhyNothingIsPulledIsSaidInGermanAndWholeAt1024) {
+  pull.no_knot = session::say::kNoKnot();
+  open_review();
+  ASSERT_TRUE(eventually([&] {
+    window->resize(1024, 768);
+    return window->size() == QSize(1024, 768);
+  }));
+  click("review_pull");
+  const auto* note = dynamic_cast<console::ElidedLabel*>(child<QLabel>("review_note"));
+  ASSERT_NE(note, nullptr);
+  EXPECT_TRUE(note->text().contains("Hier ist kein Knoten")) << note->text().toStdString();
+  EXPECT_TRUE(eventually([&] { return note->height() >= note->heightForWidth(note->width()); })) << note->height();
+  EXPECT_EQ(note->lines(note->width()).join(QLatin1Char(' ')), note->text()) << note->width();
+}
+
+TEST_F(GermanPull, EachButtonHasALetterOfItsOwn) {
+  open_review();
+  EXPECT_TRUE(pull_by_key([&](console::PullDialog& dialog) {
+    QStringList letters;
+    auto add = [&](const QString& text) {
+      if (const auto at = text.indexOf(QLatin1Char('&')); at >= 0) letters += text.mid(at + 1, 1).toUpper();
+    };
+    for (const auto* button : dialog.findChildren<QPushButton*>()) add(button->text());
+    for (const auto* label : dialog.findChildren<QLabel*>()) add(label->text());
+    EXPECT_GE(letters.size(), 4);
+    EXPECT_EQ(letters.removeDuplicates(), 0) << letters.join(' ').toStdString();
+  }));
 }
 
 TEST_F(PullPages, WhereNoLessonReadsKnotsThereIsNothingToPull) {

@@ -17,6 +17,7 @@
 #include "console/models/said.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/pages/rating_panel.hpp"
+#include "console/widgets/parts.hpp"
 #include "record/recorder.hpp"
 #include "window_fixture.hpp"
 
@@ -245,7 +246,7 @@ TEST_F(RatingPages, ARatingLeavesTheComparison) {
   open_attempt(first);
   ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
   ASSERT_TRUE(review()->timeline()->has_other());
-  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: Arun P.: ")) << child<QLabel>("other_title")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("other_title")->text().startsWith("Right: ") && child<QLabel>("other_title")->text().contains("; Arun P., ")) << child<QLabel>("other_title")->text().toStdString();
   EXPECT_EQ(review()->comparison()->ghost_name(), "Other attempt") << "the same person";
   const std::string item = review()->review().scales[0].items[0].id;
   ASSERT_TRUE(window->desk()->rate(first, item, 3));
@@ -292,6 +293,24 @@ TEST_F(GermanReview, NoTitleOfATabIsCutAt1024) {
   const QTabBar* bar = tabs->tabBar();
   EXPECT_TRUE(eventually([&] { return bar->width() >= bar->sizeHint().width(); })) << bar->width() << " of " << bar->sizeHint().width() << " px";
   EXPECT_LE(review()->minimumSizeHint().width(), 1000) << "or the page is to be scrolled sideways";
+}
+
+// The verdict of the other attempt can be read without its tooltip.
+TEST_F(GermanReview, TheOtherVerdictIsWholeAt1024) {
+  const std::string other = keep(10), first = keep(3);
+  open_attempt(first);
+  ASSERT_TRUE(eventually([&] {
+    window->resize(1024, 768);
+    return window->size() == QSize(1024, 768);
+  }));
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  const auto* title = dynamic_cast<console::ElidedLabel*>(child<QLabel>("other_title"));
+  ASSERT_NE(title, nullptr);
+  const QString verdict = review()->comparison()->review().verdict();
+  ASSERT_TRUE(verdict.contains("Bestanden")) << verdict.toStdString();
+  const auto shown = [&] { return title->lines(title->width()).join(QLatin1Char(' ')); };
+  EXPECT_TRUE(eventually([&] { return shown().contains(verdict); })) << shown().toStdString() << " in " << title->width() << " px";
+  EXPECT_GE(title->height(), title->heightForWidth(title->width()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "console/view3d/scene_state.hpp"
 #include "console/view3d/tool_tips.hpp"
@@ -279,9 +280,37 @@ TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
   point.look(CameraPreset::kNear);
   point.camera.jump();
   EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
+  EXPECT_TRUE(state.ties());
   card.objects[1].traits.pop_back();
   state.set_card(card);
+  EXPECT_FALSE(state.ties());
   EXPECT_FALSE(state.subject().has_value()) << "no tissue, and no mark";
+}
+
+// Where the knot is there from the start, as in the test that pulls it, and no point is marked.
+TEST(SceneParts, AKnotThatIsThereIsLookedAt) {
+  snapshot::SceneCard card = scene();
+  card.objects.pop_back(), card.shapes.pop_back();
+  card.objects[2].traits = {SWAGE_TRAIT_SOLID};
+  card.script.marks.clear();
+  card.objects.push_back({"suture", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 4, 1, 0, 0});
+  snapshot::CardShape thread = thread_of(4, 41, 40e-3);
+  card.start[4] = {{0, 0, 0}, {1, 0, 0, 0}};
+  // out and back by the same place at (10, 0, 5) mm, in a loop of 12 mm
+  thread.vertex.clear();
+  for (int i = 0; i <= 10; ++i) thread.vertex.push_back({1e-3 * i, 0, 5e-3});
+  for (int i = 1; i < 12; ++i) thread.vertex.push_back({(10 + 2 * std::sin(i * std::numbers::pi / 6)) * 1e-3, 2e-3 * (1 - std::cos(i * std::numbers::pi / 6)), 5e-3});
+  for (int i = 0; i <= 10; ++i) thread.vertex.push_back({10e-3, -1e-3 * i, 5e-3});
+  card.shapes.push_back(thread);
+  SceneState state;
+  state.set_card(card);
+  EXPECT_FALSE(state.ties());
+  EXPECT_TRUE(state.has_knot());
+  ASSERT_TRUE(state.subject().has_value());
+  EXPECT_LT((*state.subject() - QVector3D(10, 0, 5)).length(), 0.7F);
+  card.shapes.back().vertex = {{0, 0, 5e-3}, {10e-3, 0, 5e-3}, {20e-3, 0, 5e-3}};
+  state.set_card(card);
+  EXPECT_FALSE(state.has_knot()) << "a straight thread";
 }
 
 // marks belong to what a picture shows, which on a slow machine is some snapshots old

@@ -112,8 +112,9 @@ TEST(SideView, IsFromWhereTheShaftDoesNotHideTheWork) {
   EXPECT_FALSE(side_is_from_behind(-right_angle, true)) << "a wall hides more";
 }
 
-/// Compass direction, deg, from which Side looks at an upright needle whose plane's normal is +x, with a tool that comes from +x.
-float side_at_a_needle(bool tissue) {
+/// Compass direction, deg, from which Side looks at an upright needle whose plane's normal is +x, with a tool that comes from +x; `other`: beside
+/// another hand's, which comes from -x and rests far away.
+float side_at_a_needle(bool tissue, bool other = false) {
   const double turn = std::sqrt(0.5);
   snapshot::SceneCard card;
   card.objects = {{"needle", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
@@ -128,6 +129,12 @@ float side_at_a_needle(bool tissue) {
   arc.X_BS.q = {1, 0, 0, 0};
   arc.radius = 0.05e-3, arc.arc_radius = 2e-3, arc.sweep = 2;
   card.shapes = {arc, block(1, {2e-3, -0.3e-3, -0.3e-3}, {32e-3, 0.3e-3, 0.3e-3}), block(2, {-3e-3, -3e-3, -1e-3}, {3e-3, 3e-3, 0})};
+  if (other) {
+    card.objects.push_back({"scissors", "x", "1", {SWAGE_TRAIT_GRIPPER}, 3, 1, 0, 0});
+    card.motion.push_back(SWAGE_MOTION_FOLLOWS);
+    card.start.push_back({{-40e-3, 0, 0}, {1, 0, 0, 0}});
+    card.shapes.push_back(block(3, {-32e-3, -0.3e-3, -0.3e-3}, {-2e-3, 0.3e-3, 0.3e-3}));
+  }
   SceneState scene;
   scene.set_card(card);
   ViewPoint point(scene);
@@ -139,6 +146,7 @@ float side_at_a_needle(bool tissue) {
 TEST(SideView, IsAcrossAShaftWhoseTiltAtTheNeedleIsJudged) {
   EXPECT_NEAR(side_at_a_needle(false), -90, 0.1F) << "along the shaft its jaws would hide the needle";
   EXPECT_NEAR(std::abs(side_at_a_needle(true)), 180, 0.1F) << "a needle that is driven is seen square to its plane, away from the handle";
+  EXPECT_NEAR(std::abs(side_at_a_needle(true, true)), 180, 0.1F) << "the handle of the hand that drives it, wherever the other one rests";
 }
 
 // A shaft from the needle to the eye 100 mm away: jaws are drawn, the part that hides the needle is not, and parts beside or behind it are.
