@@ -27,6 +27,7 @@ inline void Rod::start(RodState& s) const {
 /// Prepares a step: x0_, the positions without forces (hat_), and the drag at the present velocity.
 inline void Rod::prepare(const RodState& s, const RodLoad& load) {
   const bool second = load.second_order && *s.steps > 0;
+  way_ = -1;
   g_ = second ? 2.0 / 3.0 * load.h : load.h;  // s, length of the equivalent backward Euler step
   m_hh_ = load.h > 0 ? 1 / (g_ * g_) : 0.0;
   if (second) {

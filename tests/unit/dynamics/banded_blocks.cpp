@@ -165,6 +165,34 @@ TEST(BandedBlocks, HaveTheSameBitsAtEveryWidthOfRegisters) {
   }
 }
 
+/// The stiffer matrix of a step is asked for alone, after the last step ended one level below: it is not the last one, stiffened.
+TEST(BandedBlocks, AStifferMatrixIsThatOfItsStep) {
+  constexpr int kNodes = 9, kLevel = 5;
+  const auto bent = [](double bow, toolkit::RodState s) {
+    for (int i = 0; i < kNodes; ++i) Eigen::Map<Vec3>(s.x + 3 * i) = Vec3(0.4e-3 * i, bow * i * i, 0);
+  };
+  toolkit::RodLoad load;
+  load.h = 1e-3, load.gravity = {0, 0, -9.80665};
+  const auto matrix = [&](bool after_another) {
+    toolkit::Rod rod(toolkit::RodSection::round(22e-6, 2.5e9, 0.39, 1140), std::vector<double>(kNodes - 1, 0.4e-3));
+    std::vector<double> numbers(toolkit::RodState::size(kNodes)), gradient(4 * kNodes);
+    toolkit::RodState s(kNodes, numbers.data());
+    toolkit::Band<10> band(4 * kNodes);
+    bent(20e-6, s);
+    rod.start(s);
+    if (after_another) {
+      rod.prepare(s, load);
+      rod.linearise(s, load, kLevel - 1, band.column(0), gradient.data());
+    }
+    bent(25e-6, s);
+    rod.prepare(s, load);
+    band.set_zero();
+    rod.linearise(s, load, kLevel, band.column(0), gradient.data());
+    return std::vector<double>(band.column(0), band.column(4 * kNodes - 1));
+  };
+  EXPECT_EQ(matrix(true), matrix(false));
+}
+
 /// A thread of 61 nodes, a little bent, whose first segment three ties of 1e5 N/m hold to a body of 0.5 mg: what both weigh together is
 /// a millionth of what ties them. Where halves of blocks that differ by rounding were both used, the solution was another one.
 TEST(BandedBlocks, LoseNothingBesideTiesToALightBody) {
