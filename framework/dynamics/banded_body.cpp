@@ -43,7 +43,7 @@ void BandedBody::begin() noexcept {
 
 bool BandedBody::linearise(FlexibleBody& object, bool from_last, uint64_t& stiffer) noexcept {
   from_last_ = from_last;
-  // what was too soft in the last step mostly is in this one
+  // A level that was too soft in the last step mostly is too soft in this one.
   uint64_t level = stiffer > 0 ? stiffer - 1 : 0;
   Attempt last = attempt(object, level);
   if (last == Attempt::kFactored) {

@@ -91,7 +91,7 @@ class Winding final : public Coupling<WindingParams> {
   int last_ = 0;       // place up to which turns are counted
   double length_ = 0;  // m
   double p_T_[3 * kPlaces];
-  uint32_t parted_[kPlaces];  // whether the thread is parted there: not used
+  uint32_t parted_[kPlaces];  // whether the thread is parted at each place, as line() tells it; not read here
 };
 
 }  // namespace swage::coupling_winding

@@ -116,8 +116,8 @@ TEST(ByKeys, JawsBesideTheNeedleDoNotTearTheWound) {
 }
 
 // Jaws that close obliquely touch the needle with one edge each, and would turn it in the tissue: the hand rolls with it instead. Across the wire
-// the wound is 1.93; a hand that does not roll widens it to 5.4 or more from 8 deg on, and
-// past the limit of 6 at 20 deg.
+// the wound is 1.93; a hand that does not roll widens it to 5.4 or more from 8 deg on, and past the limit
+// of 6 at 20 deg.
 TEST(ByKeys, ObliqueJawsDoNotTearTheWound) {
   for (const auto& [off_deg, give] : {std::pair{-20.0, "720 deg/s"}, std::pair{30.0, "720 deg/s"}, std::pair{20.0, "0 deg/s"}}) {
     LessonRun run(kLesson, "mouse", {std::string("hand.give_turn=") + give});
