@@ -70,8 +70,8 @@ Vec3 spline(const std::vector<Vec3>& p, double at) {
   return 0.5 * (2 * b + t * (d - a) + t * t * (2 * a - 5 * b + 4 * d - e) + t * t * t * (3 * b - a - 3 * d + e));
 }
 
-/// n points at even distances along a curve through the points, `from` and `to` among them.
-std::vector<Vec3> even(const std::vector<Vec3>& p, int n) {
+/// n points at even distances along a curve through the points, its first and last among them, or every so many of these.
+std::vector<Vec3> even(const std::vector<Vec3>& p, int n, int every = 1) {
   std::vector<double> length{0};
   const int fine = 12 * static_cast<int>(p.size());
   const double whole_curve = static_cast<double>(p.size() - 1);
@@ -80,7 +80,7 @@ std::vector<Vec3> even(const std::vector<Vec3>& p, int n) {
   for (size_t k = 1; k < curve.size(); ++k) length.push_back(length.back() + (curve[k] - curve[k - 1]).norm());
   std::vector<Vec3> out;
   size_t k = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; i += every) {
     const double l = length.back() * i / (n - 1);
     while (k + 2 < curve.size() && length[k + 1] < l) ++k;
     const double t = std::clamp((l - length[k]) / (length[k + 1] - length[k]), 0.0, 1.0);
@@ -214,11 +214,20 @@ bool try_tie(const Word& word, const TieShape& shape, std::mt19937_64& random, T
       v = scale * (turned * v);
     }
   };
-  std::vector<Vec3> thread = even(curve.thread, kFine * (shape.nodes - 1) + 1);
-  std::vector<Vec3> ends = curve.beyond;
-  ends.insert(ends.begin(), thread.back()), ends.push_back(thread.front());
-  std::vector<Vec3> beyond = even(ends, kFine * 140 + 1);
-  bend(thread), bend(beyond);
+  const auto lay = [&](int every, std::vector<Vec3>& thread, std::vector<Vec3>& beyond) {
+    thread = even(curve.thread, kFine * (shape.nodes - 1) + 1, every);
+    std::vector<Vec3> ends = curve.beyond;
+    ends.insert(ends.begin(), thread.back()), ends.push_back(thread.front());
+    beyond = even(ends, kFine * 140 + 1, every);
+    bend(thread), bend(beyond);
+  };
+  std::vector<Vec3> thread, beyond;
+  lay(kFine, thread, beyond);
+  // most are refused already for their nodes alone
+  std::vector<Vec3> closed = thread;
+  closed.insert(closed.end(), beyond.begin() + 1, beyond.end() - 1);
+  if (!faithful(closed, std::vector<double>(closed.size(), 0.0))) return false;
+  lay(1, thread, beyond);
   out.node.clear(), out.beyond.clear();
   std::vector<double> sag;
   const auto thin = [&](const std::vector<Vec3>& fine, std::vector<Vec3>& to, bool last) {
