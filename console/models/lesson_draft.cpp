@@ -82,7 +82,7 @@ LessonDraft::LessonDraft(const Variant& begin, const QString& file, QObject* par
 }
 
 bool LessonDraft::words_changed() const {
-  return now_.title != begin_.title || now_.summary != begin_.summary || now_.goal != begin_.goal;
+  return now_.title != begin_.title || now_.summary != begin_.summary || now_.goal != begin_.goal || now_.view != begin_.view;
 }
 
 void LessonDraft::change(Variant after, const QString& words, const QString& field) {
@@ -112,6 +112,12 @@ void LessonDraft::set_goal(const QString& goal) {
   Variant after = now_;
   after.goal = goal;
   change(std::move(after), tr("Learning goal"), QStringLiteral("goal"));
+}
+
+void LessonDraft::set_view(const QString& view) {
+  Variant after = now_;
+  after.view = view;
+  change(std::move(after), tr("View at the start"), QStringLiteral("view"));
 }
 
 void LessonDraft::set_values(const QVector<std::pair<std::string, std::string>>& set, const QString& field) {

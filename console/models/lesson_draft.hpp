@@ -40,6 +40,7 @@ class LessonDraft : public QObject {
   void set_title(const QString& title);
   void set_summary(const QString& summary);
   void set_goal(const QString& goal);
+  void set_view(const QString& view);
   /// Sets all values that differ from the lesson's; `field`: the edited one, whose successive edits are undone together.
   void set_values(const QVector<std::pair<std::string, std::string>>& set, const QString& field);
   /// `part`: as in a lesson file, with a name.

@@ -9,9 +9,12 @@
 #include <memory>
 #include <numbers>
 
+#include "console/models/said.hpp"
+#include "console/view3d/ghost_tools.hpp"
 #include "console/view3d/scene_state.hpp"
 #include "console/view3d/tool_tips.hpp"
 #include "console/view3d/view_point.hpp"
+#include "test_places.hpp"
 
 namespace swage::console {
 namespace scene_parts_test {
@@ -86,6 +89,28 @@ TEST(SceneParts, RolesFollowTraitsAndMotion) {
   EXPECT_EQ(role_of(card, 99), Role::kOther);
   card.objects[3].traits.clear();
   EXPECT_EQ(role_of(card, 3), Role::kTool) << "it follows a device";
+}
+
+TEST(GhostTips, EachOfSeveralInstrumentsHasItsOwnName) {
+  snapshot::SceneCard card = scene();
+  std::vector<GhostTips> one = ghost_tips(card, make_parts(card), "Expert");
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0].words, "Expert");
+  // forceps beside the holder
+  card.objects.push_back({"forceps", "x", "1", {SWAGE_TRAIT_GRIPPER}, 5, 1, 0, 0});
+  card.shapes.push_back(block(5, 5, {0, -1e-3, 0}, {40e-3, 1e-3, 1e-3}));
+  card.start.push_back({{-6e-3, 0, 2e-3}, {1, 0, 0, 0}});
+  card.motion.push_back(SWAGE_MOTION_FOLLOWS);
+  const auto words = [&] {
+    std::vector<QString> out;
+    for (const GhostTips& tool : ghost_tips(card, make_parts(card), "Expert")) out.push_back(tool.words);
+    return out;
+  };
+  EXPECT_EQ(words(), (std::vector<QString>{"Expert: Holder", "Expert: Forceps"}));
+  set_words_language("de");
+  learn_words(SWAGE_SOURCE_DIR "/lessons/series/words");
+  EXPECT_EQ(words(), (std::vector<QString>{"Expert: Nadelhalter", "Expert: Pinzette"}));
+  set_words_language("en");
 }
 
 TEST(SceneParts, OneMeshPerBodyAndOneSleevePerMark) {

@@ -15,6 +15,7 @@
 #include "host/words.hpp"
 #include "judge/host_events.hpp"
 #include "run_lesson.hpp"
+#include "sentence_catalogue.hpp"
 #include "test_places.hpp"
 
 namespace swage::stage {
@@ -90,6 +91,14 @@ Stock collect() {
 // What is said only in scenes of other lessons: tissue with a slit whose edges are drawn.
 const std::vector<std::string> kOfNoStockLesson = {"tissue.gap", "Width of the slit as its edges are drawn now; 0: they meet."};
 
+/// The messages of devices to people: what is missing, where, and what to do.
+std::vector<std::string> told_by_devices() {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(SWAGE_SOURCE_DIR "/devices"))
+    for (const test::CatalogueSentence& s : test::sentence_catalogue("devices/" + entry.path().filename().string())) out.push_back(s.text);
+  return out;
+}
+
 /// A lesson of the series: what its file and its scene say, and the events of its couplings and its judge.
 struct Lesson {
   std::string path;
@@ -122,6 +131,7 @@ const std::vector<Lesson>& series() {
 TEST(StockWords, AreAllGermanAndNoneIsLeftOver) {
   Stock all = collect();
   add(kOfNoStockLesson, all);
+  add(told_by_devices(), all);
   ASSERT_GT(all.known.size(), 700u);
   for (const Lesson& lesson : series()) {
     EXPECT_EQ(untranslated(lesson.said, all.known), "") << "\nof " << lesson.path << " has no translation";
