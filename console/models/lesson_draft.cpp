@@ -82,7 +82,7 @@ LessonDraft::LessonDraft(const Variant& begin, const QString& file, QObject* par
 }
 
 bool LessonDraft::words_changed() const {
-  return now_.title != begin_.title || now_.summary != begin_.summary || now_.goal != begin_.goal || now_.view != begin_.view;
+  return now_.title != begin_.title || now_.summary != begin_.summary || now_.goal != begin_.goal;
 }
 
 void LessonDraft::change(Variant after, const QString& words, const QString& field) {

@@ -34,6 +34,7 @@ class LessonDraft : public QObject {
   bool taken_up() const { return taken_up_; }
   bool changed() const { return !(now_ == begin_); }
   bool words_changed() const;
+  bool view_changed() const { return now_.view != begin_.view; }
   bool parts_changed() const { return now_.remove != begin_.remove || now_.add != begin_.add; }
   QUndoStack* edits() { return &edits_; }
 

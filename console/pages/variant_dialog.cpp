@@ -284,8 +284,8 @@ void VariantDialog::update_state() {
   if (!save_) return;
   const auto changes = draft_.now().set.size();
   const bool named = !title_->text().trimmed().isEmpty(), parts = draft_.parts_changed();
-  const bool words = folder_.isEmpty() && draft_.words_changed();
-  const bool can = (changes > 0 || words || parts) && named && fault_.isEmpty();  // an unchanged copy is not saved
+  const bool words = folder_.isEmpty() && draft_.words_changed(), view = draft_.view_changed();
+  const bool can = (changes > 0 || words || parts || view) && named && fault_.isEmpty();  // an unchanged copy is not saved
   save_->setEnabled(can);
   try_->setEnabled(can);
   QString text = !named         ? tr("A lesson has a title.")
@@ -293,6 +293,7 @@ void VariantDialog::update_state() {
                  : changes > 1  ? tr("%1 values are changed.").arg(changes)
                  : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
+                 : view         ? tr("The view at the start is changed.")
                  : folder_.isEmpty() ? tr("Nothing is changed yet.")
                                 : tr("Change a value or a part: a copy under another title would be the same lesson.");
   if (changes > 0 && parts && named) text += QLatin1Char(' ') + tr("So are parts.");

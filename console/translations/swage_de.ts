@@ -5782,6 +5782,10 @@ Alle 2 s wird es wieder versucht.</translation>
         <source>&amp;View at the start</source>
         <translation>&amp;Ansicht zu Beginn</translation>
     </message>
+    <message>
+        <source>The view at the start is changed.</source>
+        <translation>Die Ansicht zu Beginn ist geändert.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::ViewBar</name>

@@ -32,7 +32,7 @@ const std::set<std::string> kOfAuthors = {
 const std::set<std::string> kOfTheCommandLine = {"kNotBackedUp", "kNotRestored", "kNothingLeft", "kServerNotSalvaged", "kThereAlready", "kNoHome",
                                                  "kNeedsNovice", "kSchoolNeedsLesson", "kSchoolNeedsPeople", "kSyntheticAlready"};
 // signs, names and values alone
-const std::set<std::string> kWithoutWords = {" ({})", "\"{}\", {}: {}", " \"{}\"", "Inverse3 {}{}{}"};
+const std::set<std::string> kWithoutWords = {" ({})", "\"{}\", {}: {}", " \"{}\"", "In {}: {}", "Inverse3 {}{}{}"};
 
 class HostSentences : public ::testing::Test {
  protected:
