@@ -21,7 +21,7 @@ struct GhostTips {
   std::vector<Spot> tips;
 };
 
-/// Instruments of a card, the trainee's first. `name`: whose they are; of several instruments each has its own name after it: "Expert: forceps".
+/// Instruments of a card, the trainee's first. `name`: whose they are; of several instruments each has its own name after it: "Expert: Forceps".
 std::vector<GhostTips> ghost_tips(const snapshot::SceneCard& card, const SceneParts& parts, const QString& name);
 
 class GhostTools {

@@ -306,6 +306,11 @@ TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
   point.camera.jump();
   EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
   EXPECT_TRUE(state.ties());
+  const float with_hands_mm = point.camera.distance();
+  point.look_close();
+  point.camera.jump();
+  EXPECT_LT(point.camera.distance(), 0.5F * with_hands_mm) << "the wound alone";
+  EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
   card.objects[1].traits.pop_back();
   state.set_card(card);
   EXPECT_FALSE(state.ties());
