@@ -188,30 +188,6 @@ TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
   EXPECT_TRUE(eventually([&] { return !is_from_above(); }));
 }
 
-TEST_F(AttemptOnPage, ALessonSaysFromWhereItIsLookedAtFirst) {
-  script.view = "top";
-  open();
-  ASSERT_TRUE(wait_for_preview());
-  const auto is_from_above = [this] {
-    page()->view()->camera().jump();
-    return page()->view()->camera().up().z() < 0.5F;
-  };
-  EXPECT_TRUE(is_from_above());
-  page()->look(console::CameraPreset::kSide);
-  EXPECT_FALSE(is_from_above()) << "any other may be chosen";
-  choose_lesson(1);
-  EXPECT_TRUE(eventually(is_from_above));
-}
-
-TEST_F(AttemptOnPage, AViewThatWasAskedForStaysWithTheFirstLesson) {
-  script.view = "top";
-  launch.view = "orbit";
-  open();
-  ASSERT_TRUE(wait_for_preview());
-  page()->view()->camera().jump();
-  EXPECT_GT(page()->view()->camera().up().z(), 0.5F);
-}
-
 // By keys the view is changed while they lead the instrument: the keyboard stays with the picture.
 TEST_F(AttemptOnPage, AKeyGoesFromViewToView) {
   script.end_s = 0;
