@@ -2,7 +2,7 @@
 //
 // The words beside the instruments of a ghost.
 #include <gtest/gtest.h>
-#include <swage/abi/scene.h>
+#include <swage/abi/builder.h>
 
 #include "console/models/said.hpp"
 #include "console/view3d/ghost_tools.hpp"
