@@ -189,8 +189,8 @@ void CalibrationDialog::poll() {
     named_ = true;
     draft_.serial = bench_.serial();
     draft_.name = bench_.name();
-    const std::string wrong = draft_.begin_from(sensor::calibration_path(draft_.serial));
-    if (!wrong.empty()) say(QString::fromStdString(wrong), true);
+    const std::string path = sensor::calibration_path(draft_.serial), wrong = draft_.begin_from(path);
+    if (!wrong.empty()) say(said_of_file(path, wrong), true);
     // a sensor that already has a bench calibration needs only its poses
     if (draft_.in_use().valid() && !draft_.fit().valid()) steps_->setCurrentIndex(1);
     show_points();
@@ -283,7 +283,7 @@ void CalibrationDialog::show_points() {
                                       .arg(number(1e3 * fit.slope, 4), number(1e6 * fit.worst, 1), number(1e6 * fit.rms, 1))
                                       .arg(left_out)
                                       .arg(fit.points.size())
-                                : QString::fromStdString(wrong));
+                                : said_message(wrong));
   if (!fit.valid() && draft_.in_use().valid())
     verdict_->setText(tr("The stored lengths are used: worst residual %1 µm. Measure new ones where the sensor was mounted anew.")
                           .arg(number(1e6 * draft_.in_use().worst, 1)));
@@ -316,7 +316,7 @@ void CalibrationDialog::keep() {
   std::string wrong = draft_.finish(sensor::today(), c);
   const std::string path = sensor::calibration_path(draft_.serial);
   if (wrong.empty()) wrong = sensor::save_calibration(path, c);
-  if (!wrong.empty()) say(QString::fromStdString(wrong), true);
+  if (!wrong.empty()) say(said_message(wrong), true);
   if (draft_.by.empty()) by_->setFocus();
   if (!wrong.empty()) return;
   say(c.poses.known() ? tr("Kept, valid until %1.").arg(QString::fromStdString(c.expires))
@@ -330,11 +330,11 @@ QStringList stored_calibrations() {
   for (const std::string& path : sensor::calibration_files()) {
     sensor::Calibration c;
     if (const std::string wrong = sensor::load_calibration(path, c); !wrong.empty()) {
-      out += QStringLiteral("▲ ") + QString::fromStdString(wrong);
+      out += QStringLiteral("▲ ") + said_of_file(path, wrong);
       continue;
     }
     const std::string trouble = sensor::calibration_trouble(c, "", sensor::today());
-    out += !trouble.empty()      ? QStringLiteral("▲ %1: ").arg(QString::fromStdString(c.serial)) + QString::fromStdString(trouble)
+    out += !trouble.empty()      ? QStringLiteral("▲ %1: ").arg(QString::fromStdString(c.serial)) + said_message(trouble)
            : !c.poses.known() ? QObject::tr("▲ %1: the poses of its needleholder are missing").arg(QString::fromStdString(c.serial))
            : sensor::days_between(c.date, sensor::today()) > kAmber_days
                ? QObject::tr("▲ %1: %2 days old. Check it on a gauge, or calibrate anew").arg(QString::fromStdString(c.serial)).arg(sensor::days_between(c.date, sensor::today()))

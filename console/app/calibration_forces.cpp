@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "console/app/calibration_dialog.hpp"
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 #include "sensor/calibration_file.hpp"
 
@@ -79,7 +80,7 @@ void CalibrationDialog::show_forces() {
   filling_ = false;
   sensor::Calibration c;
   const std::string wrong = draft_.forces(c);
-  if (!wrong.empty()) return forces_->setText(QStringLiteral("▲ ") + QString::fromStdString(wrong));
+  if (!wrong.empty()) return forces_->setText(QStringLiteral("▲ ") + said_message(wrong));
   if (c.force.empty()) return forces_->setText(tr("Without new rows the forces of before stay; without any, force is shown and not scored."));
   const auto& last = c.force.points().back();
   forces_->setText(c.tip.empty() ? tr("%1 N at the handle after %2 mm of travel; the tips are not measured.").arg(last.y, 0, 'f', 2).arg(1e3 * last.x, 0, 'f', 2)

@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QHash>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QUrl>
@@ -19,17 +18,6 @@
 #include "record/identity.hpp"
 
 namespace swage::console {
-
-namespace {
-
-std::optional<CameraPreset> preset_of(const QString& view) {
-  static const QHash<QString, CameraPreset> presets = {{QStringLiteral("side"), CameraPreset::kSide},
-                                                       {QStringLiteral("top"), CameraPreset::kTop},
-                                                       {QStringLiteral("near"), CameraPreset::kNear}};
-  return presets.contains(view) ? std::optional(presets[view]) : std::nullopt;
-}
-
-}  // namespace
 
 MainWindow::MainWindow(Services services, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
@@ -151,7 +139,7 @@ void MainWindow::restore(const Launch& launch) {
 
 // What the launch wants to be seen.
 void MainWindow::open_given(const Launch& launch) {
-  const std::optional<CameraPreset> view = preset_of(launch.view);
+  const std::optional<CameraPreset> view = view_named(launch.view.toStdString());
   if (view) run_page()->look(*view);
   // the page of people was called Progress
   if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);

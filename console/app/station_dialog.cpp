@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -175,7 +176,7 @@ void StationDialog::take() {
   if (touched_.size() < 4) return show_step();
   const std::string wrong = session::fit_registration(touched_, station_.arm);
   cancel();
-  if (!wrong.empty()) return step_->setText(QStringLiteral("▲ ") + QString::fromStdString(wrong) + tr(" Nothing is kept."));
+  if (!wrong.empty()) return step_->setText(QStringLiteral("▲ ") + said_message(wrong) + tr(" Nothing is kept."));
   station_.registered = true;
   station_.device = device_;
   station_.date = QDate::currentDate().toString(Qt::ISODate);

@@ -114,6 +114,12 @@ void LessonDraft::set_goal(const QString& goal) {
   change(std::move(after), tr("Learning goal"), QStringLiteral("goal"));
 }
 
+void LessonDraft::set_view(const QString& view) {
+  Variant after = now_;
+  after.view = view;
+  change(std::move(after), tr("View at the start"), QStringLiteral("view"));
+}
+
 void LessonDraft::set_values(const QVector<std::pair<std::string, std::string>>& set, const QString& field) {
   Variant after = now_;
   after.set = set;

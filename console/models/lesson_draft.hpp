@@ -34,12 +34,14 @@ class LessonDraft : public QObject {
   bool taken_up() const { return taken_up_; }
   bool changed() const { return !(now_ == begin_); }
   bool words_changed() const;
+  bool view_changed() const { return now_.view != begin_.view; }
   bool parts_changed() const { return now_.remove != begin_.remove || now_.add != begin_.add; }
   QUndoStack* edits() { return &edits_; }
 
   void set_title(const QString& title);
   void set_summary(const QString& summary);
   void set_goal(const QString& goal);
+  void set_view(const QString& view);
   /// Sets all values that differ from the lesson's; `field`: the edited one, whose successive edits are undone together.
   void set_values(const QVector<std::pair<std::string, std::string>>& set, const QString& field);
   /// `part`: as in a lesson file, with a name.

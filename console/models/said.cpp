@@ -93,6 +93,11 @@ QString said_message(const std::string& message) {
   return QString::fromStdString(sentences.empty() ? message : sentences);
 }
 
+QString said_of_file(const std::string& path, const std::string& message) {
+  const std::string begin = path + ": ";
+  return message.starts_with(begin) ? QString::fromStdString(begin) + said_message(message.substr(begin.size())) : said_message(message);
+}
+
 QString said(const std::string& words, const std::string& folder) {
   const auto own = known().by_folder.constFind(QFileInfo(QString::fromStdString(folder)).absoluteFilePath());
   if (own == known().by_folder.constEnd()) return said(words);

@@ -26,6 +26,8 @@ QString said(const std::string& words);
 QString said(const QString& words);
 /// A message of the host, its values kept: one sentence or several (models/sentence_words.hpp). As it is where nobody has translated it.
 QString said_message(const std::string& message);
+/// The same of a message that may begin with the path of its file: the path stays.
+QString said_of_file(const std::string& path, const std::string& message);
 /// Translation of a plugin's text by its own file: two plugins may use "Drag" in different senses. `folder`: that of its bundle.
 QString said(const std::string& words, const std::string& folder);
 /// "grasp.force" -> its name in this language, else in English, else "Grasp force".

@@ -101,6 +101,14 @@ QString slug(const QString& title) {
   return out.isEmpty() ? QStringLiteral("lesson") : out;
 }
 
+QString view_in(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray text = file.readAll();
+  const Json json = Json::parse(text.begin(), text.end(), nullptr, false, true);
+  return json.is_object() ? QString::fromStdString(text_of(json, "view")) : QString();
+}
+
 QByteArray variant_text(const Variant& variant, const QString& folder) {
   // a base within the same folder tree is named relatively, as both may be moved together; any other by its full path
   const QString relative = QDir(folder).relativeFilePath(variant.base);
@@ -112,6 +120,7 @@ QByteArray variant_text(const Variant& variant, const QString& folder) {
   file["title"] = variant.title.trimmed().toStdString();
   if (!variant.summary.isEmpty()) file["summary"] = variant.summary.toStdString();
   if (!variant.goal.isEmpty()) file["goal"] = variant.goal.toStdString();
+  if (!variant.view.isEmpty()) file["view"] = variant.view.toStdString();
   if (!variant.remove.empty()) file["remove"] = variant.remove;
   if (!variant.add.empty()) file["add"] = variant.add;
   for (const auto& [what, value] : variant.set) file["set"][what] = Json::parse(value, nullptr, false);
@@ -126,6 +135,7 @@ std::optional<Variant> read_variant(const QByteArray& text) {
     return std::nullopt;
   const auto words = [&](const char* key) { return QString::fromStdString(text_of(file, key)); };
   Variant out{words("based_on"), words("title"), words("summary"), words("goal"), {}};
+  out.view = words("view");
   if (file.contains("add")) out.add = file["add"];
   const Json removed = file.value("remove", Json::array()), set = file.value("set", Json::object());
   for (const Json& name : removed)
@@ -161,6 +171,10 @@ QString update_variant(const QString& path, const Variant& changed) {
   file["title"] = changed.title.trimmed().toStdString();
   for (const auto& [key, words] : {std::pair{"summary", changed.summary}, {"goal", changed.goal}})
     if (!words.isEmpty() || file.contains(key)) file[key] = words.toStdString();
+  if (changed.view.isEmpty())
+    file.erase("view");
+  else
+    file["view"] = changed.view.toStdString();
   if (file.contains("based_on"))
     change_based(file, changed);
   else if (const QString problem = change_whole(file, changed); !problem.isEmpty())

@@ -22,6 +22,7 @@ struct Variant {
   QVector<std::pair<std::string, std::string>> set;  // "needle.arc" and JSON
   std::vector<std::string> remove = {};              // names of objects, couplings and devices
   nlohmann::ordered_json add = {};                   // { "objects": [...], "couplings": [...], "devices": [...] }; null for nothing
+  QString view = {};                                 // from where the trainee looks first; "": as the base says
 
   bool operator==(const Variant&) const = default;
 };
@@ -33,6 +34,9 @@ QString lesson_drafts_folder();
 
 /// "Stiff wall, 2/8" -> "stiff_wall_2_8": file name and id from a title; "lesson" when nothing is left of it.
 QString slug(const QString& title);
+
+/// The key "view" of a lesson file itself, not of its base; "" without one.
+QString view_in(const QString& path);
 
 /// The file's text. `folder`: its destination; the base is named relative to it.
 QByteArray variant_text(const Variant& variant, const QString& folder);

@@ -150,8 +150,9 @@ void ReviewPictures::end_comparison() {
 bool ReviewPictures::comparing() const { return other_ && !other_->isHidden(); }
 
 void ReviewPictures::look(CameraPreset preset) {
-  for (SceneView* view : views_) view->look(preset);
-  if (comparing()) other_->view()->look(preset);
+  const auto show = [preset](SceneView* view) { preset == CameraPreset::kNear ? view->look_close() : view->look(preset); };
+  for (SceneView* view : views_) show(view);
+  if (comparing()) show(other_->view());
 }
 
 }  // namespace swage::console

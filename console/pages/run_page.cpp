@@ -232,12 +232,19 @@ void RunPage::set_binding(const Binding& binding) {
 
 void RunPage::take_focus() { control_->running() ? view_->setFocus() : setup_->focus_start(); }
 
+// A view that suits one lesson may hide the work of another.
+void RunPage::look_first(const snapshot::SceneCard& card) {
+  if (std::exchange(looked_, false)) return;
+  presenter_->set_next_look(view_named(card.view).value_or(CameraPreset::kOrbit));
+}
+
 void RunPage::preview() {
   preview_timer_.stop();
   if (control_->running() || setup_->lesson().isEmpty()) return;
-  if (!shown_lesson_.isEmpty() && shown_lesson_ != setup_->lesson()) {
+  const bool other = shown_lesson_ != setup_->lesson();
+  if (other && !shown_lesson_.isEmpty()) {
     forget_attempt();
-    presenter_->set_next_look(CameraPreset::kOrbit);  // a view that suits one lesson may hide the work of another
+    looked_ = false;
   }
   shown_lesson_ = setup_->lesson();
   const QModelIndex chosen = lessons_->index(lessons_->row_of(shown_lesson_));
@@ -256,6 +263,7 @@ void RunPage::preview() {
     return fault_->show_problems(problems);
   }
   fault_->hide_words();
+  if (other) look_first(*card);
   show_card(*card);
   right_->setCurrentWidget(now_);
 }

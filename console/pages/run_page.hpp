@@ -48,7 +48,8 @@ class RunPage : public QWidget {
   /// Whether every attempt gets a seed of its own: new targets, new tremor.
   void set_draws_seed(bool on) { draws_seed_ = on; }
   /// A camera preset, now and for every lesson opened from now on.
-  void look(CameraPreset preset) { presenter_->look(preset); }
+  /// Shows a view, which stays when a lesson is chosen for the first time.
+  void look(CameraPreset preset) { looked_ = true, presenter_->look(preset); }
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   /// Shown at the bottom until the next start.
   void set_notice(const QString& text);
@@ -133,6 +134,7 @@ class RunPage : public QWidget {
   void fold_bar();
   void preview();
   void show_card(const snapshot::SceneCard& card);
+  void look_first(const snapshot::SceneCard& card);
   void launch(bool unrecorded);
   bool agree_on_person();
   bool enter_person();
@@ -170,6 +172,7 @@ class RunPage : public QWidget {
   QString opened_;  // an instructor's reason for this attempt before its turn in a course, as a sentence; ""
   Criteria asked_;                          // of the lesson whose scene is shown
   QString shown_lesson_;                    // that lesson
+  bool looked_ = false;                     // a view was asked for before the first lesson was shown
   QTimer preview_timer_;
   std::unique_ptr<AttemptPresenter> presenter_;  // goes before the widgets that it writes to
 };

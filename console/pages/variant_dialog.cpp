@@ -24,7 +24,7 @@ constexpr int kValues_px = 460;  // width for a name, a number with its unit, an
 constexpr int kBuildDelay_ms = 300;  // after the last edit, so that typing does not build a scene for each letter
 
 Variant begin_of(const LessonEntry& lesson, bool edits) {
-  if (edits) return {lesson.path, lesson.title, lesson.summary, lesson.goal, {}};
+  if (edits) return {lesson.path, lesson.title, lesson.summary, lesson.goal, {}, {}, {}, view_in(lesson.path)};
   return {lesson.path, VariantDialog::tr("%1, adapted").arg(said(lesson.title)), said(lesson.summary), said(lesson.goal), {}};
 }
 
@@ -83,8 +83,16 @@ QWidget* VariantDialog::make_words() {
   form->addRow(tr("&Title"), title_);
   form->addRow(tr("Tas&k"), summary_);
   form->addRow(tr("&Learning goal"), goal_);
+  look_ = new QComboBox(card.frame);
+  look_->setObjectName(QStringLiteral("variant_look"));
+  const std::pair<QString, const char*> looks[] = {
+      {tr("Unchanged"), ""}, {tr("Orbit"), "orbit"}, {tr("Side"), "side"}, {tr("Top"), "top"}, {tr("Near"), "near"}};
+  for (const auto& [text, name] : looks) look_->addItem(text, QString::fromLatin1(name));
+  look_->setToolTip(tr("From where the trainee looks first; any view can be chosen later"));
+  form->addRow(tr("&View at the start"), look_);
   card.body->addLayout(form);
   show_words();
+  connect(look_, &QComboBox::currentIndexChanged, &draft_, [this] { draft_.set_view(look_->currentData().toString()); });
   connect(title_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_title);
   connect(summary_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_summary);
   connect(goal_, &QPlainTextEdit::textChanged, &draft_, [this] { draft_.set_goal(goal_->toPlainText()); });
@@ -227,6 +235,8 @@ void VariantDialog::show_edit(bool structure, bool by_undo) {
 
 void VariantDialog::show_words() {
   const Variant now = draft_.now();
+  const QSignalBlocker still(look_);
+  look_->setCurrentIndex(look_->findData(now.view));
   for (const auto& [line, text] : {std::pair{title_, now.title}, {summary_, now.summary}}) {
     if (line->text() == text) continue;
     const QSignalBlocker quiet(line);
@@ -250,7 +260,7 @@ void VariantDialog::build() {
   const std::unique_ptr<snapshot::SceneCard> card = services_.build(draft_.file(), problems);
   fault_.clear();
   if (card) {
-    view_->set_card(*card);
+    view_->set_card(*card, view_named(card->view).value_or(CameraPreset::kOrbit));
     return update_state();
   }
   for (const base::Problem& p : problems)
@@ -274,8 +284,8 @@ void VariantDialog::update_state() {
   if (!save_) return;
   const auto changes = draft_.now().set.size();
   const bool named = !title_->text().trimmed().isEmpty(), parts = draft_.parts_changed();
-  const bool words = folder_.isEmpty() && draft_.words_changed();
-  const bool can = (changes > 0 || words || parts) && named && fault_.isEmpty();  // an unchanged copy is not saved
+  const bool words = folder_.isEmpty() && draft_.words_changed(), view = draft_.view_changed();
+  const bool can = (changes > 0 || words || parts || view) && named && fault_.isEmpty();  // an unchanged copy is not saved
   save_->setEnabled(can);
   try_->setEnabled(can);
   QString text = !named         ? tr("A lesson has a title.")
@@ -283,6 +293,7 @@ void VariantDialog::update_state() {
                  : changes > 1  ? tr("%1 values are changed.").arg(changes)
                  : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
+                 : view         ? tr("The view at the start is changed.")
                  : folder_.isEmpty() ? tr("Nothing is changed yet.")
                                 : tr("Change a value or a part: a copy under another title would be the same lesson.");
   if (changes > 0 && parts && named) text += QLatin1Char(' ') + tr("So are parts.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -77,6 +78,7 @@ class VariantDialog : public QDialog {
   QTimer build_timer_;
   QLineEdit *title_ = nullptr, *summary_ = nullptr, *find_ = nullptr;
   QPlainTextEdit* goal_ = nullptr;
+  QComboBox* look_ = nullptr;  // from where the trainee looks first
   LiveForm* form_ = nullptr;
   PartsPanel* parts_ = nullptr;
   SceneView* view_ = nullptr;

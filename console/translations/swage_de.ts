@@ -34,6 +34,10 @@
         <source>Under water</source>
         <translation>Unter Wasser</translation>
     </message>
+    <message>
+        <source>In a viscous fluid</source>
+        <translation>In zäher Flüssigkeit</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -2507,6 +2511,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>The folder %1 cannot be made.</source>
         <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>View at the start</source>
+        <translation>Ansicht zu Beginn</translation>
     </message>
 </context>
 <context>
@@ -5745,6 +5753,38 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>Go on editing</source>
         <translation>Weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>Unchanged</source>
+        <translation>Unverändert</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Kreisen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>From where the trainee looks first; any view can be chosen later</source>
+        <translation>Von wo der Trainee zuerst schaut; später ist jede Ansicht wählbar</translation>
+    </message>
+    <message>
+        <source>&amp;View at the start</source>
+        <translation>&amp;Ansicht zu Beginn</translation>
+    </message>
+    <message>
+        <source>The view at the start is changed.</source>
+        <translation>Die Ansicht zu Beginn ist geändert.</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,12 @@ int place_in_order(CameraPreset view) { return static_cast<int>(std::find(kViewO
 
 }  // namespace
 
+std::optional<CameraPreset> view_named(std::string_view name) {
+  const auto found = std::find(kViewNames.begin(), kViewNames.end(), name);
+  if (found == kViewNames.end()) return std::nullopt;
+  return kViewOrder[static_cast<size_t>(found - kViewNames.begin())];
+}
+
 CameraPreset view_after(CameraPreset now, int steps) {
   return kViewOrder[static_cast<size_t>(place_in_order(now) + steps) % kViewOrder.size()];
 }

@@ -4,14 +4,23 @@
 #include <algorithm>
 #include <cstring>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
+
+std::vector<GhostTips> ghost_tips(const snapshot::SceneCard& card, const SceneParts& parts, const QString& name) {
+  std::vector<GhostTips> out;
+  const bool several = parts.tips_of.size() > 1;
+  for (const auto& [object, tips] : parts.tips_of)
+    out.push_back({several ? QStringLiteral("%1: %2").arg(name, said_id(card.objects[object].name)) : name, tips});
+  return out;
+}
 
 void GhostTools::set(const snapshot::SceneCard& card, const QString& name, const UiTheme& ui) {
   drop();
   there_ = true;
-  name_ = name;
   const SceneParts parts = make_parts(card);
-  for (const auto& [object, tips] : parts.tips_of) tips_.push_back(tips);
+  tips_ = ghost_tips(card, parts, name);
   for (const ScenePart& part : parts.part) {
     if (!renderer_ || part.role != Role::kTool || part.in_world()) continue;
     const int added = renderer_->add_part(part.mesh, {ui["ghost"], 0, 0, Finish::kGhost}, {});
@@ -49,10 +58,10 @@ bool GhostTools::show(std::span<const swage_pose> X_WB) {
   return true;
 }
 
-// State is not told by colour alone: the name of the instruments' owner stands beside them.
+// State is not told by colour alone: the owner's name stands beside the instruments.
 void GhostTools::paint(Overlay& overlay, const Eye& eye, const QSizeF& size) const {
   if (!shown()) return;
-  for (const std::vector<Spot>& tips : tips_) {
+  for (const auto& [words, tips] : tips_) {
     QVector3D middle;
     float n = 0;
     for (const Spot& tip : tips) {
@@ -61,7 +70,7 @@ void GhostTools::paint(Overlay& overlay, const Eye& eye, const QSizeF& size) con
       middle += to_mm(X.p) + to_qt(X.q).rotatedVector(tip.p_B);
       n += 1;
     }
-    if (n > 0) overlay.ghost(eye.project(middle / n, size), name_);
+    if (n > 0) overlay.ghost(eye.project(middle / n, size), words);
   }
 }
 

@@ -15,6 +15,15 @@
 
 namespace swage::console {
 
+/// Tips of an instrument and the words beside them.
+struct GhostTips {
+  QString words;
+  std::vector<Spot> tips;
+};
+
+/// Instruments of a card, the trainee's first. `name`: whose they are; of several instruments each has its own name after it: "Expert: Forceps".
+std::vector<GhostTips> ghost_tips(const snapshot::SceneCard& card, const SceneParts& parts, const QString& name);
+
 class GhostTools {
  public:
   /// Nothing is drawn without a renderer.
@@ -29,15 +38,14 @@ class GhostTools {
   /// Sets the poses; empty: hides the tools. Returns whether the picture changed.
   bool show(std::span<const swage_pose> X_WB);
   bool shown() const { return there_ && shown_; }
-  /// Draws the name at the tips of each instrument.
+  /// Draws the words at the tips of each instrument.
   void paint(Overlay& overlay, const Eye& eye, const QSizeF& size) const;
 
  private:
   Renderer* renderer_;
   bool there_ = false, shown_ = false;
-  QString name_;
   std::vector<std::pair<int, uint32_t>> part_;  // index of the part in the renderer, and its body
-  std::vector<std::vector<Spot>> tips_;         // by instrument
+  std::vector<GhostTips> tips_;
   std::vector<swage_pose> X_WB_;
 };
 

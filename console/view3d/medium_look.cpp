@@ -8,15 +8,16 @@
 namespace swage::console {
 namespace {
 
-// A centimetre of water has no colour of its own. The veil and the net are the convention by which a picture says "water"; they are drawn,
-// not computed, and faint enough to leave the colours of cues. Less than a tenth of veil at the work is not seen, more than a third
-// makes a green cue blue.
+// A centimetre of water has no colour of its own. The veil is the convention by which a picture says "water"; it is drawn, not computed, and
+// faint enough to leave the colours of cues. Less than a tenth of veil at the work is not seen, more than a third makes a green cue blue.
+// No pattern of light moves over the work: the lamp of a microscope stands above a few millimetres of water that the hands hardly ripple,
+// and bright lines as wide as a suture would be taken for one.
 const QColor kVeil(92, 152, 170);
 constexpr float kVeilReach = 14;       // radii of the work after which two thirds are hidden: a fifth at the work itself
 constexpr float kBackgroundVeil = 0.55F;
-constexpr float kNet = 0.16F;
 constexpr float kMoistTissue = 1.7F;   // a rinsed field glistens more than living tissue does
 constexpr float kSunkFilm = 0.1F;      // water on water has hardly a surface that reflects
+constexpr double kMostOfWater = 0.01;  // Pa s; water has 0.001, glycerine 1.4: what is thicker than this is not called water
 
 class MediumWords {
   Q_DECLARE_TR_FUNCTIONS(MediumLook)
@@ -32,7 +33,6 @@ MediumLook medium_look(uint32_t medium, float size_mm) {
   look.veil = kVeil;
   look.veil_per_mm = 1 / (kVeilReach * (size_mm > 0 ? size_mm : 1));
   look.tissue_film = kSunkFilm;
-  look.net = kNet;
   return look;
 }
 
@@ -44,14 +44,14 @@ QColor veiled(const QColor& colour, const MediumLook& look) {
   return QColor::fromRgbF(mix(colour.redF(), veil.redF()), mix(colour.greenF(), veil.greenF()), mix(colour.blueF(), veil.blueF()));
 }
 
-QString medium_words(uint32_t medium) {
+QString medium_words(uint32_t medium, double viscosity) {
   switch (medium) {
     case SWAGE_MEDIUM_DRY:
       return MediumWords::tr("Dry field");
     case SWAGE_MEDIUM_MOIST:
       return MediumWords::tr("Moist field");
     case SWAGE_MEDIUM_WATER:
-      return MediumWords::tr("Under water");
+      return viscosity > kMostOfWater ? MediumWords::tr("In a viscous fluid") : MediumWords::tr("Under water");
     default:
       return {};
   }

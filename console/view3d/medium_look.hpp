@@ -15,7 +15,6 @@ struct MediumLook {
   float veil_per_mm = 0;    // share of the veil over a short way, 1/mm
   float tissue_film = 1;    // reflection of the film on living tissue, of the usual one
   float stage_film = 0;     // the same on what stands fixed
-  float net = 0;            // brightness of the net of light below a water surface, 0..1
   bool operator==(const MediumLook&) const = default;
 };
 
@@ -23,7 +22,7 @@ struct MediumLook {
 MediumLook medium_look(uint32_t medium, float size_mm);
 /// A colour of the background or of the ground as it is seen through the medium.
 QColor veiled(const QColor& colour, const MediumLook& look);
-/// "Under water", for the corner of the picture; "" where the lesson sets no medium.
-QString medium_words(uint32_t medium);
+/// "Under water", for the corner of the picture; "" where the lesson sets no medium. `viscosity`: of the fluid, Pa s.
+QString medium_words(uint32_t medium, double viscosity);
 
 }  // namespace swage::console

@@ -81,7 +81,7 @@ uniform float metal;
 uniform float gloss;
 uniform float finish;
 uniform vec4 veil;  // colour, share per mm
-uniform vec3 film;  // on tissue, on what is plain, net of light under water
+uniform vec2 film;  // on tissue, on what is plain
 const vec3 key = vec3(-0.408, 0.707, 0.577);
 const vec3 fill = vec3(0.802, 0.100, 0.589);
 float studio(vec3 r) {
@@ -113,14 +113,6 @@ vec3 raised(vec3 n, float height) {
   vec3 a = cross(up, n), b = cross(n, along);
   float det = dot(along, a);
   return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
-}
-// how far a face looks up, 0..1
-float upward() { return clamp(normalize(cross(dFdx(world), dFdy(world))).z, 0.0, 1.0); }
-// the bright net below a surface of water: where two uneven layers of light are both at their ridges
-float net_of_light() {
-  vec3 p = vec3(0.7 * world.xy, 0.2 * world.z);
-  float a = 1.0 - abs(2.0 * noise(p) - 1.0), b = 1.0 - abs(2.0 * noise(1.7 * p + 9.0) - 1.0);
-  return pow(a, 5.0) + 0.6 * pow(b, 5.0);
 }
 )" SWAGE_TEXT(SWAGE_CLEAR_SIGHT_FORMULA) R"(
 float cleared() {
@@ -168,10 +160,7 @@ void main() {
   }
   vec3 steel = c0 * (0.72 * studio(r) + 0.34 * diffuse) * (0.9 + 0.4 * rim) + vec3(0.25 * highlight);
   vec3 c = mix(matte, steel, metal);
-  if (veil.w > 0.0) {
-    c += vec3(film.z * upward() * net_of_light());
-    c = mix(veil.rgb, c, exp(-veil.w * length(position)));
-  }
+  if (veil.w > 0.0) c = mix(veil.rgb, c, exp(-veil.w * length(position)));
   // a shoulder instead of a hard white
   c = min(c, 0.75 + 0.25 * (1.0 - exp(-max(c - 0.75, 0.0) / 0.25)));
   fragColor = vec4(c, 1.0);
@@ -321,7 +310,7 @@ void SolidMaterial::set(const ClearSight& sight) {
 
 void SolidMaterial::set(const MediumLook& look) {
   veil_->setValue(QVector4D(shade(look.veil), look.veil_per_mm));
-  film_->setValue(QVector3D(look.tissue_film, look.stage_film, look.net));
+  film_->setValue(QVector2D(look.tissue_film, look.stage_film));
 }
 
 GhostMaterial::GhostMaterial(Qt3DCore::QNode* parent) : QMaterial(parent), colour_(add_parameter(this, "colour")) {

@@ -80,7 +80,7 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
     overlay.keep_clock_clear(job.words.clock);
-    if (scene_.have_card()) overlay.corner(medium_words(scene_.card().medium));
+    if (scene_.have_card()) overlay.corner(medium_words(scene_.card().medium, scene_.card().viscosity));
   }
   // marks of a scene that is not drawn yet would lie in the void
   if (drawn(job, index)) marks_.paint(overlay, seen, job.leads);
@@ -97,7 +97,7 @@ void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Jo
   if (!words.message.isEmpty())
     overlay.message(words.message);
   else if (scene_.have_card())
-    overlay.corner(medium_words(scene_.card().medium));
+    overlay.corner(medium_words(scene_.card().medium, scene_.card().viscosity));
   if (station_mark_) paint_station_mark(painter, panel);
 }
 

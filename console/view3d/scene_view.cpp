@@ -148,11 +148,15 @@ void SceneView::look(CameraPreset preset, float notches) {
   touch();
 }
 
+void SceneView::look_close() {
+  point_.look_close();
+  touch();
+}
+
 bool SceneView::look_at_knot() {
   constexpr float kBelow = 0.18F;  // of the picture's height
-  constexpr float kNearer = 7;     // notches of the wheel: the knot and the loop beside it, in the picture of a long thread
   if (!scene_.ties() && !scene_.has_knot()) return false;
-  look(CameraPreset::kNear, scene_.ties() ? 0 : kNearer);
+  scene_.ties() ? look(CameraPreset::kNear) : look_close();
   if (scene_.ties()) point_.camera.pan(0, -kBelow);
   point_.camera.jump();
   return true;

@@ -47,6 +47,8 @@ class SceneView : public QWidget {
   /// Copies the data that it needs; to be called at display rate.
   void show_snapshot(const snapshot::Snapshot& snapshot);
   void look(CameraPreset preset, float notches = 0);  // notches of the wheel by which it is nearer
+  /// The view near, without the hands where there is a knot (view_point.hpp).
+  void look_close();
   /// Looks at the knot that is tied, which is below the middle of the picture as hands work above it, or at the one that is there; false where
   /// there is none.
   bool look_at_knot();

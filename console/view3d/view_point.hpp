@@ -28,6 +28,8 @@ class ViewPoint {
   /// Frames the present card of the scene, without gliding.
   void frame(CameraPreset preset);
   void look(CameraPreset preset);
+  /// The view near, and where a knot is tied or lies, the knot with its wound or loop alone: without the hands, which the view near keeps.
+  void look_close();
   /// Moves to the place that the preset looks at (SceneState::subject); returns whether there is or was one.
   bool look_near();
 

@@ -95,7 +95,7 @@ void read(const Json& in, Calibration& out) {
     if (!in.contains(key)) continue;
     std::vector<MonotoneCurve::Point> points;
     rows(in[key], key, 2, [&, p = &points](const Json& r) { p->push_back({r[0].get<double>(), r[1].get<double>()}); });
-    if (std::string wrong = curve->set(points); !wrong.empty()) throw Wrong{std::string(key) + ": " + wrong};
+    if (std::string wrong = curve->set(points); !wrong.empty()) throw Wrong{say::kInPart(key, wrong)};
   }
   if (in.contains("gauge_zero")) out.gauge_zero = number(in, "", "gauge_zero");
   if (const Json* c = part(in, "check", {"wanted", "measured", "date"}))
@@ -105,8 +105,8 @@ void read(const Json& in, Calibration& out) {
   if (const Json* p = part(in, "poses", {"open", "closed", "squeezed", "date", "zero_date"})) {
     out.poses = {number(*p, "poses/", "open"), number(*p, "poses/", "closed"), number(*p, "poses/", "squeezed")};
     out.poses_date = text(*p, "date"), out.zero_date = text(*p, "zero_date");
-    if (std::string wrong = check_poses(out.poses, {}); !wrong.empty()) throw Wrong{"poses: " + wrong};
-    if (std::string wrong = check_geometry(out.geometry, out.poses); !wrong.empty()) throw Wrong{"geometry: " + wrong};
+    if (std::string wrong = check_poses(out.poses, {}); !wrong.empty()) throw Wrong{say::kInPart("poses", wrong)};
+    if (std::string wrong = check_geometry(out.geometry, out.poses); !wrong.empty()) throw Wrong{say::kInPart("geometry", wrong)};
   }
 }
 
@@ -157,12 +157,12 @@ std::string load_calibration(const std::string& path, Calibration& out) {
   std::string bytes, why;
   if (!toolkit::read_file(path, std::size_t{1} << 20, bytes, why)) return path + ": " + why;
   const Json json = Json::parse(bytes, nullptr, false);
-  if (json.is_discarded()) return say::kNoJson(path);
+  if (json.is_discarded()) return path + ": " + say::kNoJson();
   Calibration found;
   try {
     read(json, found);
   } catch (const Wrong& wrong) {
-    return path + ": " + wrong.text + ".";
+    return path + ": " + wrong.text;
   }
   out = std::move(found);
   return "";

@@ -64,18 +64,19 @@ inline constexpr auto kLongestOpen = "With this geometry the sensor is longest w
 inline constexpr auto kOtherSensor = "The calibration is that of the sensor {}, and this one is {}."_sentence;
 inline constexpr auto kExpired = "The calibration of {} expired on {}. Make a new one: swage calibrate displacement."_sentence;
 
-// calibration files
-inline constexpr auto kNumber = "{}{} is a number"_sentence;
-inline constexpr auto kText = "{} is a text"_sentence;
-inline constexpr auto kObject = "{} is an object"_sentence;
-inline constexpr auto kUnknown = "{} is not known"_sentence;
-inline constexpr auto kFormatIs = "format is \"{}\""_sentence;
-inline constexpr auto kList = "{} is a list"_sentence;
-inline constexpr auto kRows = "{} has rows of {} numbers"_sentence;
-inline constexpr auto kMissing = "displacement is missing"_sentence;
-inline constexpr auto kNoSlope = "displacement/slope is not 0"_sentence;
-inline constexpr auto kNoDate = "\"{}\" is no date; one is 2026-11-22"_sentence;
-inline constexpr auto kNoJson = "{}: It is not JSON."_sentence;
+// calibration files: after the path of the file and a colon
+inline constexpr auto kInPart = "In {}: {}"_sentence;  // key of the part, and one of the sentences of this file
+inline constexpr auto kNumber = "{}{} must be a number."_sentence;
+inline constexpr auto kText = "{} must be a text."_sentence;
+inline constexpr auto kObject = "{} must be an object."_sentence;
+inline constexpr auto kUnknown = "{} is not known."_sentence;
+inline constexpr auto kFormatIs = "Its format must be \"{}\"."_sentence;
+inline constexpr auto kList = "{} must be a list."_sentence;
+inline constexpr auto kRows = "{} must have rows of {} numbers."_sentence;
+inline constexpr auto kMissing = "displacement is missing."_sentence;
+inline constexpr auto kNoSlope = "displacement/slope must not be 0."_sentence;
+inline constexpr auto kNoDate = "\"{}\" is no date; one is 2026-11-22."_sentence;
+inline constexpr auto kNoJson = "It is not JSON."_sentence;
 inline constexpr auto kNotWritten = "{} cannot be written: {}."_sentence;
 
 }  // namespace swage::sensor::say

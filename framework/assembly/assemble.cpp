@@ -38,7 +38,9 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->seed = file_.seed;
   rig_->mirror = file_.mirror;
   rig_->card.tips_only = file_.tips_only;
+  rig_->card.view = file_.view;
   rig_->card.medium = file_.environment.medium;
+  rig_->card.viscosity = file_.environment.viscosity;
   rig_->max_time_s = file_.max_time_s;
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;

@@ -45,6 +45,7 @@ class LessonParser {
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
     out_.mirror = top.flag("mirror", false);
     out_.tips_only = top.flag("tips_only", false);
+    if (top.find("view") != nullptr) out_.view = top.choice("view", kViews);
     read_modes(top);
     read_requirements(top);
     top.each("devices", kMostUses, [this](const Json& j, const std::string& p) { read_device(j, p); });

@@ -53,6 +53,8 @@ struct LessonCoupling : PluginUse {
   std::string a, b;  // names of objects
 };
 
+/// Views from which a trainee may look first: from the front, from the side, from above, close to the work.
+inline constexpr const char* kViews[] = {"orbit", "side", "top", "near"};
 /// Practice shows cues; a test hides them and counts; a demo is played by the expert's hand and not recorded.
 inline constexpr const char* kModes[] = {"practice", "test", "demo"};
 /// Mode under which an attempt of a scripted hand is recorded, for any requested mode; judged as a test.
@@ -75,6 +77,7 @@ struct LessonFile {
   std::string environment_text;  // the JSON object of "environment" as written, "" for none
   double max_time_s = 0;          // simulated; 0: no limit
   bool tips_only = false;         // only the tips of instruments are drawn
+  std::string view;               // one of kViews, "": as the program has it
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
   std::string mode;  // one of kModes, "": the mode of the run, else a test with cues
   uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use when they are shown

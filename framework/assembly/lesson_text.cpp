@@ -28,7 +28,7 @@ constexpr std::size_t kMostBases = 8;  // a longer chain could not be followed b
 // Keys that a lesson based on another has itself; all else is taken from the base.
 constexpr const char* kOwn[] = {"format",  "based_on", "set",  "id",           "title",
                                 "summary", "goal",     "seed", "rate_hz",      "gravity",
-                                "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only",
+                                "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only", "view",
                                 "environment", "reset"};
 
 // position of a parser error, as line and column

@@ -202,6 +202,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"max_time", quantity_schema("s", 0, 86400)},
                    {"mirror", {{"type", "boolean"}}},
                    {"tips_only", {{"type", "boolean"}}},
+                   {"view", {{"enum", {"orbit", "side", "top", "near"}}}},
                    {"mode", {{"enum", {"practice", "test", "demo"}}}},
                    {"cues", list({{"enum", {"colour", "shape", "sound", "force"}}})},
                    {"requires", {{"type", "object"}, {"additionalProperties", text}}},

@@ -47,7 +47,9 @@ struct SceneCard {
   std::string mode;   // "practice", "test", "demo"
   uint32_t cues = 0;  // SWAGE_CHANNEL_* that cues may use; 0: a test is taken without help
   bool tips_only = false;  // of instruments only the tips are drawn
+  std::string view;        // from where a trainee looks first: "orbit", "side", "top", "near"; "" where the lesson does not say
   uint32_t medium = 0;  // SWAGE_MEDIUM_* of abi/environment.h
+  double viscosity = 0;  // Pa s, of the medium
   double length = 0;  // m, characteristic
   double dt = 0;      // s
   uint64_t seed = 0;

@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <fstream>
 
+#include "console/models/said.hpp"
 #include "devices/sensor_thread.hpp"
 #include "sensor/calibration_file.hpp"
 #include "sensor/sentences.hpp"
@@ -211,6 +213,27 @@ TEST_F(CalibrationTest, TheZeroAloneIsSet) {
   EXPECT_EQ(kept.zero_date, sensor::today());
   measure(dialog, "calibration_open", 5.2);
   EXPECT_FALSE(in<QPushButton>(dialog, "calibration_zero")->isEnabled()) << "who measures poses sets them all";
+}
+
+// Sentences of the sensor's library, in the window's language.
+TEST_F(CalibrationTest, InAGermanWindowTheSensorsSentencesAreGerman) {
+  console::set_words_language(QStringLiteral("de"));
+  {
+    CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), {});
+    EXPECT_TRUE(said(dialog, "calibration_verdict").startsWith(QStringLiteral("Eine Ausgleichsgerade braucht"))) << said(dialog, "calibration_verdict").toStdString();
+    in<QComboBox>(dialog, "calibration_port")->setEditText(QString::fromStdString(folder_ / "port"));
+    in<QPushButton>(dialog, "calibration_connect")->click();  // nothing is plugged in
+    EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("ist nicht da. Ist der Sensor eingesteckt?"))) << said(dialog, "calibration_said").toStdString();
+  }
+  sensor::Calibration stored;
+  stored.serial = "B7", stored.by = "Ada", stored.date = "2019-12-01", stored.expires = "2020-01-01";
+  stored.displacement = {1e-3, 3e-3, 20e-6, 10e-6, {}};
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("B7"), stored), "");
+  ASSERT_EQ(console::stored_calibrations().size(), 1);
+  EXPECT_TRUE(console::stored_calibrations()[0].contains(QStringLiteral("ist am 2020-01-01 abgelaufen"))) << console::stored_calibrations()[0].toStdString();
+  std::ofstream(sensor::calibration_path("B7")) << "no";
+  EXPECT_TRUE(console::stored_calibrations()[0].endsWith(QStringLiteral("B7.json: Sie ist kein JSON."))) << console::stored_calibrations()[0].toStdString();
+  console::set_words_language(QStringLiteral("en"));
 }
 
 // U15: nothing is written before "Keep", at whichever step the window is closed; the previous calibration is kept.

@@ -58,6 +58,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   card.length = 1e-3;
   card.dt = 1e-3;
   card.seed = 7;
+  card.view = script.view;
   card.objects = {{"holder", "swage.object.jaws", "1.0.0", {"swage.trait.gripper/1"}, 0, 2, 0, 0},
                   {"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1"}, 2, 1, 0, 0}};
   if (script.with_grasp) card.objects.push_back({"tissue", "swage.object.tissue", "1.0.0", {"swage.trait.pierceable/1"}, 0, 0, 0, 0});

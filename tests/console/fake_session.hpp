@@ -27,6 +27,7 @@ struct FakeScript {
   double end_s = 12;  // time of the end, which is a pass; 0: never
   bool pass = true;
   bool with_thread = false;
+  std::string view;           // from where the lesson is looked at first
   bool two_hands = false;     // a second mouse device: Tab switches between them
   bool with_grasp = false;  // measures whether the needle is held, and has tissue to drive it into
   double drop_s = 0;        // with with_grasp: time at which the needle is dropped; 0: never

@@ -147,8 +147,9 @@ TEST(MediumLooks, WaterIsTintedAndADryFieldDoesNotGlisten) {
   EXPECT_NE(veiled(Qt::white, water), QColor(Qt::white));
   EXPECT_LT(veiled(QColor(20, 22, 24), water).lightness(), 90) << "a dark theme stays dark";
   EXPECT_FLOAT_EQ(medium_look(SWAGE_MEDIUM_WATER, 30).veil_per_mm, 0.1F * water.veil_per_mm) << "a scene ten times as large looks alike";
-  EXPECT_EQ(medium_words(SWAGE_MEDIUM_UNSET), "");
-  EXPECT_EQ(medium_words(SWAGE_MEDIUM_WATER), "Under water");
+  EXPECT_EQ(medium_words(SWAGE_MEDIUM_UNSET, 0), "");
+  EXPECT_EQ(medium_words(SWAGE_MEDIUM_WATER, 1e-3), "Under water");
+  EXPECT_EQ(medium_words(SWAGE_MEDIUM_WATER, 1), "In a viscous fluid") << "a pull test lies in what is as thick as glycerine";
 }
 
 }  // namespace

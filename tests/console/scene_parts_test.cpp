@@ -61,11 +61,7 @@ snapshot::SceneCard scene() {
   ball.radius = 0.5e-3;
   card.shapes.push_back(ball);
   const swage_quat one{1, 0, 0, 0};
-  card.start = {{{0, 0, 0}, one},
-                {{0, 0, 0}, one},
-                {{0, 0, 2e-3}, one},
-                {{6e-3, 0, 2e-3}, one},
-                {{-8e-3, 0, 0.5e-3}, one}};
+  card.start = {{{0, 0, 0}, one}, {{0, 0, 0}, one}, {{0, 0, 2e-3}, one}, {{6e-3, 0, 2e-3}, one}, {{-8e-3, 0, 0.5e-3}, one}};
   card.motion = {SWAGE_MOTION_FIXED, SWAGE_MOTION_FIXED, SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS,
                  SWAGE_MOTION_DYNAMIC};
   judge::Script::Mark region;
@@ -281,6 +277,9 @@ TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
   point.camera.jump();
   EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
   EXPECT_TRUE(state.ties());
+  const float with_hands_mm = point.camera.distance();
+  point.look_close(), point.camera.jump();
+  EXPECT_LT(point.camera.distance(), 0.5F * with_hands_mm) << "the wound alone";
   card.objects[1].traits.pop_back();
   state.set_card(card);
   EXPECT_FALSE(state.ties());

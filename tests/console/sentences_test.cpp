@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the host says to a person, in German: every sentence of its catalogues that reaches the console is translated.
-#include <QFile>
-#include <QRegularExpression>
+#include <QString>
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
@@ -12,41 +11,12 @@
 #include "console/models/said.hpp"
 #include "console/models/sentence_words.hpp"
 #include "host/units.hpp"
+#include "sensor/sentences.hpp"
+#include "sentence_catalogue.hpp"
 #include "session/sentences.hpp"
-#include "test_places.hpp"
 
 namespace swage::test {
 namespace {
-
-struct Sentence {
-  QString section, name;
-  std::string text;
-};
-
-// The constants of a catalogue, each with the comment above its group.
-std::vector<Sentence> catalogue(const QString& folder) {
-  QFile file(QStringLiteral(SWAGE_SOURCE_DIR "/") + folder + QStringLiteral("/sentences.hpp"));
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  const QString source = QString::fromUtf8(file.readAll());
-  static const QRegularExpression kLine(QStringLiteral(R"re(^// (.+)$|constexpr auto (k\w+) =\s*((?:"(?:[^"\\]|\\.)*"\s*)+)_sentence)re"),
-                                        QRegularExpression::MultilineOption);
-  static const QRegularExpression kLetters(QStringLiteral(R"re("((?:[^"\\]|\\.)*)")re")), kCode(QStringLiteral(R"re(\\u([0-9a-f]{4}))re"));
-  std::vector<Sentence> out;
-  QString section;
-  for (auto it = kLine.globalMatch(source); it.hasNext();) {
-    const auto match = it.next();
-    if (match.captured(2).isEmpty()) {
-      section = match.captured(1);
-      continue;
-    }
-    QString text;
-    for (auto part = kLetters.globalMatch(match.captured(3)); part.hasNext();) text += part.next().captured(1);
-    for (auto code = kCode.match(text); code.hasMatch(); code = kCode.match(text)) text.replace(code.capturedStart(), 6, QChar(code.captured(1).toInt(nullptr, 16)));
-    text.replace(QStringLiteral("\\\""), QStringLiteral("\""));
-    out.push_back({section, match.captured(2), text.toStdString()});
-  }
-  return out;
-}
 
 // With values that no language has.
 std::string filled(std::string text) {
@@ -56,13 +26,13 @@ std::string filled(std::string text) {
 }
 
 // What only people see who write plugins or use the command line stays English.
-const std::set<QString> kOfAuthors = {
+const std::set<std::string> kOfAuthors = {
     "a table of parameters", "any declaration", "bodies, particles and hinges", "shapes", "descriptors of a library", "files of rating scales",
     "end of a plugin's test", "findings of the tests of a plugin", "marks of a lesson"};
-const std::set<QString> kOfTheCommandLine = {"kNotBackedUp", "kNotRestored", "kNothingLeft", "kServerNotSalvaged", "kThereAlready", "kNoHome",
-                                             "kNeedsNovice", "kSchoolNeedsLesson", "kSchoolNeedsPeople", "kSyntheticAlready"};
-// signs and values alone
-const std::set<QString> kWithoutWords = {"kBadFile", "kUnits"};
+const std::set<std::string> kOfTheCommandLine = {"kNotBackedUp", "kNotRestored", "kNothingLeft", "kServerNotSalvaged", "kThereAlready", "kNoHome",
+                                                 "kNeedsNovice", "kSchoolNeedsLesson", "kSchoolNeedsPeople", "kSyntheticAlready"};
+// signs, names and values alone
+const std::set<std::string> kWithoutWords = {" ({})", "\"{}\", {}: {}", " \"{}\"", "In {}: {}", "Inverse3 {}{}{}"};
 
 class HostSentences : public ::testing::Test {
  protected:
@@ -70,25 +40,48 @@ class HostSentences : public ::testing::Test {
   void TearDown() override { console::set_words_language(QStringLiteral("en")); }
 };
 
+// The number of sentences of a catalogue that a person may see; each is German, and its values stay.
+int all_german(const std::string& folder) {
+  int seen = 0;
+  const std::vector<CatalogueSentence> all = sentence_catalogue(folder);
+  EXPECT_FALSE(all.empty()) << folder;
+  for (const CatalogueSentence& s : all) {
+    if (kOfAuthors.contains(s.section) || kOfTheCommandLine.contains(s.name) || kWithoutWords.contains(s.text)) continue;
+    ++seen;
+    const std::string message = filled(s.text), german = console::said_message(message).toStdString();
+    EXPECT_NE(german, message) << folder << " " << s.name << ": no German";
+    for (int i = 0; message.find("Qx" + std::to_string(i)) != message.npos; ++i)
+      EXPECT_NE(german.find("Qx" + std::to_string(i)), german.npos) << s.name << ": " << german;
+  }
+  return seen;
+}
+
+// In console/translations/words_host.de.json.
 TEST_F(HostSentences, EachThatReachesAPersonIsGerman) {
   EXPECT_TRUE(console::problems_of_words().empty()) << console::problems_of_words().front().message;
   int seen = 0;
-  for (const char* room : {"session", "step", "toolkit", "host", "assembly", "record"}) {
-    const std::vector<Sentence> all = catalogue(QStringLiteral("framework/") + QString::fromLatin1(room));
-    EXPECT_FALSE(all.empty()) << room;
-    for (const Sentence& s : all) {
-      if (kOfAuthors.contains(s.section) || kOfTheCommandLine.contains(s.name) || kWithoutWords.contains(s.name)) continue;
-      ++seen;
-      const std::string message = filled(s.text);
-      const QString german = console::said_message(message);
-      EXPECT_NE(german.toStdString(), message) << room << " " << s.name.toStdString() << ": no German in console/translations/words_host.de.json";
-      for (int i = 0; message.find("Qx" + std::to_string(i)) != message.npos; ++i)
-        EXPECT_TRUE(german.contains(QStringLiteral("Qx%1").arg(i))) << s.name.toStdString() << ": " << german.toStdString();
-    }
-  }
+  for (const char* room : {"session", "step", "toolkit", "host", "assembly", "record"}) seen += all_german(std::string("framework/") + room);
   EXPECT_GT(seen, 250);
+  EXPECT_GT(all_german("devices/sensor"), 50) << "the calibration of a jaw sensor, which the window makes itself";
   for (const auto& field : base::kSolverHealthFields) EXPECT_NE(console::said(std::string(field.doc)).toStdString(), field.doc);
   for (const char* dimension : {"a length", "a force", "an angle"}) EXPECT_NE(console::said(std::string(dimension)).toStdString(), dimension);
+}
+
+// In the words.de.json of each device. What a hand in a file lacks only its author sees.
+TEST_F(HostSentences, EachOfADeviceIsGerman) {
+  for (const char* device : {"gamepad", "inverse3", "jaw_sensor", "openhaptics", "openxr", "spacemouse", "tablet"}) {
+    const std::string folder = std::string("devices/") + device;
+    console::learn_words(QString::fromStdString(SWAGE_SOURCE_DIR "/" + folder));
+    EXPECT_GT(all_german(folder), 3);
+  }
+}
+
+// A calibration's file and its part are named before what is wrong there.
+TEST_F(HostSentences, OfACalibrationFileThePathStays) {
+  const std::string path = "/home/ada/a: b.json";
+  EXPECT_EQ(console::said_of_file(path, path + ": " + sensor::say::kInPart("force", sensor::say::kForceFalls("3 mm"))),
+            "/home/ada/a: b.json: In force: Die Kraft einer Krafttabelle fällt nie; bei 3 mm tut sie es.");
+  EXPECT_EQ(console::said_of_file(path, sensor::say::kWhoCalibrates()), "Angeben, wer kalibriert.");
 }
 
 TEST_F(HostSentences, ValuesStayAndSentencesInThemAreTranslated) {

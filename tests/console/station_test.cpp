@@ -9,6 +9,7 @@
 #include "console/app/station_dialog.hpp"
 #include "assembly/lesson_text.hpp"
 #include "console/models/instrument.hpp"
+#include "console/models/said.hpp"
 #include "session/sentences.hpp"
 #include "toolkit/math.hpp"
 #include "window_fixture.hpp"
@@ -159,6 +160,10 @@ TEST_F(StationTest, FourMarksRegisterAnArmAndAWrongOneIsRefused) {
   lead(dialog, X_SD, 2);
   EXPECT_FALSE(dialog.station().registered);
   EXPECT_TRUE(said(dialog, "station_step").contains(QString::fromStdString(session::say::kPointOff.words(1)))) << said(dialog, "station_step").toStdString();
+  console::set_words_language(QStringLiteral("de"));
+  lead(dialog, X_SD, 2);
+  console::set_words_language(QStringLiteral("en"));
+  EXPECT_TRUE(said(dialog, "station_step").contains(QStringLiteral("neben den anderen"))) << said(dialog, "station_step").toStdString();
   lead(dialog, X_SD);
   ASSERT_TRUE(dialog.station().registered) << said(dialog, "station_step").toStdString();
   const session::Registration& arm = dialog.station().arm;
@@ -166,7 +171,7 @@ TEST_F(StationTest, FourMarksRegisterAnArmAndAWrongOneIsRefused) {
   EXPECT_GT(std::abs(toolkit::quat(arm.X_SD.q).dot(X_SD.q)), 1 - 1e-9);
   EXPECT_LT(arm.worst, 1e-9);
   EXPECT_TRUE(said(dialog, "station_registration").startsWith(QStringLiteral("Registered on"))) << said(dialog, "station_registration").toStdString();
-  EXPECT_EQ(marks.size(), 8);
+  EXPECT_EQ(marks.size(), 12);
   // the arm is read without a store, in its own frame, and without forces
   EXPECT_EQ(asked.store_path, ":none:");
   ASSERT_EQ(asked.settings.size(), 1u);

@@ -151,6 +151,28 @@ TEST_F(VariantDialogs, WriteWhatWasChangedAndItReadsBack) {
   EXPECT_FALSE(lesson["objects"][0].contains("params"));
 }
 
+TEST_F(VariantDialogs, SayFromWhereTheTraineeLooksFirst) {
+  child<QLineEdit>("variant_title")->setText("From above");
+  auto* look = child<QComboBox>("variant_look");
+  EXPECT_EQ(look->currentText(), "Unchanged");
+  look->setCurrentIndex(look->findData("top"));
+  EXPECT_TRUE(child<QPushButton>("variant_save")->isEnabled());
+  undo();
+  EXPECT_EQ(look->currentText(), "Unchanged");
+  redo();
+  EXPECT_EQ(look->currentText(), "Top");
+  save();
+  EXPECT_EQ(checked["view"], "top");
+  const LessonEntry own = read_lesson(dialog->saved());
+  EXPECT_EQ(view_in(own.path), "top");
+  VariantDialog edits(own, services(), {}, nullptr);
+  auto* kept = edits.findChild<QComboBox*>("variant_look");
+  EXPECT_EQ(kept->currentText(), "Top");
+  kept->setCurrentIndex(0);
+  QTest::mouseClick(edits.findChild<QPushButton*>("variant_save"), Qt::LeftButton);
+  EXPECT_EQ(view_in(own.path), "") << "as its base says";
+}
+
 TEST_F(VariantDialogs, StartWithWhatAnAttemptWasAdjustedTo) {
   dialog->preset({{"tissue", "thickness", {2e-3}}, {"nobody", "size", {1}}});
   EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 2);

@@ -342,7 +342,7 @@ TEST(CalibrationFile, EachFaultHasItsSentence) {
     return load_calibration(path, c);
   };
   EXPECT_EQ(load(good + "}"), "");
-  EXPECT_THAT(load("no"), HasSubstr(say::kNoJson.words(1)));
+  EXPECT_THAT(load("no"), HasSubstr(say::kNoJson()));
   EXPECT_THAT(load("{}"), HasSubstr("format"));
   EXPECT_THAT(load(good + R"(,"color":1})"), HasSubstr(say::kUnknown("color")));
   EXPECT_THAT(load(good + R"(,"force":[[0,1],[1,0]]})"), HasSubstr(say::kForceFalls.words(0)));

@@ -224,6 +224,9 @@ TEST(LessonFile, MirrorModeAndCues) {
   EXPECT_EQ(usual.file.cues, 15u);
   EXPECT_FALSE(usual.file.tips_only);
   EXPECT_TRUE(with(R"("tips_only": true)").file.tips_only);
+  EXPECT_EQ(usual.file.view, "");
+  EXPECT_EQ(with(R"("view": "side")").file.view, "side");
+  EXPECT_THAT(with(R"("view": "sid")").said, ElementsAre(HasSubstr("side")));
   const Read r = with(R"("mirror": true, "mode": "test", "cues": ["shape", "sound"])");
   ASSERT_THAT(r.said, IsEmpty());
   EXPECT_TRUE(r.file.mirror);
