@@ -20,6 +20,8 @@ scripts/build.sh "$preset"
 echo "== tests: build/$preset"
 # threads of ours bring a stack for signals of their own
 export ASAN_OPTIONS=${ASAN_OPTIONS:-use_sigaltstack=0}
+# undefined behaviour ends the process, so that its test fails
+export UBSAN_OPTIONS=${UBSAN_OPTIONS:-halt_on_error=1:print_stacktrace=1}
 # a crash of a plugin is for our own sentinel and for whoever waits for a child
 export TSAN_OPTIONS=${TSAN_OPTIONS:-handle_segv=0:handle_abort=0:die_after_fork=0}
 export LSAN_OPTIONS=${LSAN_OPTIONS:-suppressions=$PWD/scripts/leaks_of_others.txt:print_suppressions=0}

@@ -9,6 +9,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
+#include <string>
 #include <thread>
 
 namespace swage::session {
@@ -51,6 +53,14 @@ bool comes(ProcessorWait& wait, pid_t tid, bool starved) {
   return true;
 }
 
+// The kernel's word for it, "State: S" of proc(5): on a busy machine a thread may be runnable for long before it comes to its wait.
+bool sleeps(pid_t tid) {
+  std::ifstream status("/proc/self/task/" + std::to_string(tid) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("State:")) return line.find('S', 6) != std::string::npos;
+  return false;
+}
+
 TEST(ProcessorWait, WhoeverRunsOnlyWhenNobodyElseWantsToIsStarved) {
   const Spinner last(SCHED_IDLE);
   ProcessorWait wait;
@@ -74,8 +84,7 @@ TEST(ProcessorWait, WhoeverWaitsForSomethingElseIsNotStarved) {
     tid = static_cast<pid_t>(syscall(SYS_gettid));
     end.wait(false);
   });
-  while (tid == 0) std::this_thread::sleep_for(1ms);
-  std::this_thread::sleep_for(5ms);
+  while (tid == 0 || !sleeps(tid)) std::this_thread::sleep_for(1ms);
   ProcessorWait wait;
   for (int look = 0; look < 5; ++look) {
     EXPECT_FALSE(wait.starved(tid));
