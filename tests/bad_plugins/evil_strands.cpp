@@ -51,7 +51,7 @@ class Strand final : public swage::Object<Params>, public swage::Solid, public s
     const swage_vec3& p = step.pose(body_).p;
     const double cut = step.state<State>().cut;
     out = {};
-    out.s = is(kElsewhere) ? 0.5 * kLength : is(kOutside) && s == kLength ? 1.1 * kLength : s;
+    out.s = is(kElsewhere) ? 0.5 * kLength : s;
     out.tension = is(kNoTension) ? kNoNumber : is(kUnsteady) ? 1e-6 * ++asked_ : 0;
     out.p_W = {p.x + s, p.y, p.z};
     out.tangent_W = {1, 0, 0}, out.normal_W = {is(kTilted) ? 0.1 : 0.0, 1, 0};
@@ -60,6 +60,7 @@ class Strand final : public swage::Object<Params>, public swage::Solid, public s
   }
   void strand_nearest(const swage::Step& step, swage_vec3 p_W, swage_strand_place& out) override {
     strand_place(step, p_W.x - step.pose(body_).p.x, out);
+    if (is(kOutside)) out.s += kLength;
   }
   uint32_t strand_nodes(const swage::Step&) override { return is(kOneNode) ? 1 : 2; }
   void strand_line(const swage::Step& step, std::span<double> p_W, std::span<uint32_t> parted) override {
