@@ -89,7 +89,8 @@ QVector3D SceneMarks::grasp_point(uint32_t object) const {
 }
 
 // The place of an object's cue. Two instruments that hold one thread have the middle of their grasps in the air between them: its cue belongs
-// to the nearest point of the thread; that of a tissue to the tissue. Of several tools the cue of each belongs to its own tips.
+// to the nearest point of the thread; that of a tissue to the tissue, and where it is tied to its edge there. Of several tools the cue of each
+// belongs to its own tips.
 QVector3D SceneMarks::cue_point(uint32_t object) const {
   const SceneParts& parts = scene_.parts();
   const auto tool = parts.tips_of.find(object);
@@ -106,7 +107,7 @@ QVector3D SceneMarks::cue_point(uint32_t object) const {
     const Vec near = nearest_on(line, Vec{at.x(), at.y(), at.z()} * (1 / kMmPerM));
     return to_mm({near.x, near.y, near.z});
   }
-  return on_tissue(parts, scene_.X_WB(), object, at);
+  return on_tissue(parts, scene_.X_WB(), object, scene_.tied_at(object).value_or(at));
 }
 
 // Points that a lesson shows in the world. Where to go is the task and is seen in a test, too; that one is near is a cue.

@@ -126,6 +126,11 @@ bool SceneState::thread_alone() const {
 
 bool SceneState::ties() const { return parts_.stitch && thread_alone(); }
 
+std::optional<QVector3D> SceneState::tied_at(uint32_t object) const {
+  const bool tissue = std::any_of(parts_.part.begin(), parts_.part.end(), [&](const ScenePart& p) { return p.object == object && p.soft; });
+  return tissue && ties() ? parts_.stitch : std::nullopt;
+}
+
 bool SceneState::has_knot() const { return parts_.knot && thread_alone() && !has_target(); }
 
 std::vector<QVector3D> SceneState::points() const {

@@ -77,6 +77,8 @@ class SceneState {
   std::optional<QVector3D> subject() const;
   /// Whether that is a stitch to be tied.
   bool ties() const;
+  /// Where a tissue is tied: the middle of the stitch, mm. No value for other objects.
+  std::optional<QVector3D> tied_at(uint32_t object) const;
   /// Whether the lesson is about a knot that is there from the start, and marks no point.
   bool has_knot() const;
   /// Positions of all such marks.

@@ -277,6 +277,7 @@ TEST(SceneParts, AKnotIsTiedWhereTheThreadLiesInTheTissue) {
   point.camera.jump();
   EXPECT_LT((point.camera.focus() - QVector3D(0.2F, 0.2F, 1)).length(), 1e-4F);
   EXPECT_TRUE(state.ties());
+  EXPECT_TRUE(state.tied_at(1) == state.subject() && !state.tied_at(2)) << "the tissue's cue stands there";
   const float with_hands_mm = point.camera.distance();
   point.look_close(), point.camera.jump();
   EXPECT_LT(point.camera.distance(), 0.5F * with_hands_mm) << "the wound alone";
