@@ -78,9 +78,9 @@ TEST_F(HostSentences, EachOfADeviceIsGerman) {
 
 // A calibration's file and its part are named before what is wrong there.
 TEST_F(HostSentences, OfACalibrationFileThePathStays) {
-  const std::string path = "/home/ada/a: b.json";
+  const std::string path = "/school/a: b.json";
   EXPECT_EQ(console::said_of_file(path, path + ": " + sensor::say::kInPart("force", sensor::say::kForceFalls("3 mm"))),
-            "/home/ada/a: b.json: In force: Die Kraft einer Krafttabelle fällt nie; bei 3 mm tut sie es.");
+            "/school/a: b.json: In force: Die Kraft einer Krafttabelle fällt nie; bei 3 mm tut sie es.");
   EXPECT_EQ(console::said_of_file(path, sensor::say::kWhoCalibrates()), "Angeben, wer kalibriert.");
 }
 

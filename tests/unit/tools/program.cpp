@@ -107,6 +107,15 @@ std::string Program::read(const std::string& name) const {
   return text.str();
 }
 
+Said Program::validate_fault(const std::string& id, const std::string& test, int fault) const {
+  write("fault.json", R"({ "format": "swage-lesson/1", "id": "org.example.fault", "title": "Fault",
+    "requires": { ")" + id + R"(": "^1", "swage.lesson.look": "^1" },
+    "objects": [ { "name": "bad", "plugin": ")" + id + R"(", "params": { "fault": )" + std::to_string(fault) + R"( } } ],
+    "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
+  const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_solvers/" + id;
+  return swage({"validate", bundle, "--only", test, "--strictness", "10", "--with", path("fault.json")});
+}
+
 std::string Program::write_two_solids(const std::string& x) const {
   write("two.json", R"({
       "format": "swage-lesson/1", "id": "org.example.two", "title": "Two", "scene_length": "1 mm",

@@ -53,6 +53,9 @@ class Program : public testing::Test {
   std::string read(const std::string& name) const;
   /// drop.json: a lesson of 10 ms, in which a ball falls and the mouse is "hand".
   void write_drop_lesson() const;
+  /// `swage validate` by one test, of a bad object in tests/bad_plugins/bundles_solvers in a scene of its own, with the value of its parameter
+  /// `fault`.
+  Said validate_fault(const std::string& id, const std::string& test, int fault) const;
   /// two.json: a lesson of two solids, "ring" at the origin and "hook" at x ("0.4 mm": inside the ring). Returns its path.
   std::string write_two_solids(const std::string& x) const;
 

@@ -2,7 +2,6 @@
 //
 // The validator finds what a strand says wrongly of itself, and nothing in one that says it rightly.
 #include "program.hpp"
-#include "test_places.hpp"
 #include "tools/sentences.hpp"
 
 namespace swage::tools::test {
@@ -13,14 +12,7 @@ using ValidateStrand = Program;
 
 TEST_F(ValidateStrand, WhatAStrandSaysWronglyIsTold) {
   enum { kGood, kNoRadius, kElsewhere, kOutside, kTilted, kNoTension, kUnsteady, kNoBody, kOneNode, kOtherLine, kBeyondLine, kWhole };
-  const auto validate = [&](int fault) {
-    write("strand.json", R"({ "format": "swage-lesson/1", "id": "org.example.strand", "title": "Strand",
-      "requires": { "org.example.bad.strand": "^1", "swage.lesson.look": "^1" },
-      "objects": [ { "name": "strand", "plugin": "org.example.bad.strand", "params": { "fault": )" + std::to_string(fault) + R"( } } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
-    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_solvers/org.example.bad.strand";
-    return swage({"validate", bundle, "--only", "traits", "--strictness", "10", "--with", path("strand.json")});
-  };
+  const auto validate = [&](int fault) { return validate_fault("org.example.bad.strand", "traits", fault); };
   const Said good = validate(kGood);
   EXPECT_EQ(good.code, 0) << good.out << good.err;
   EXPECT_THAT(good.out, testing::ContainsRegex("traits +success"));

@@ -196,14 +196,7 @@ TEST_F(Validate, SolversThatLieAreTold) {
 TEST_F(Validate, ChainsThatLieAreTold) {
   enum { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite,
          kBandNan, kBandAborts, kGoesTwice, kGoesStill, kGoesNowhere };
-  const auto validate = [&](int fault) {
-    write("chain.json", R"({ "format": "swage-lesson/1", "id": "org.example.chain", "title": "Chain",
-      "requires": { "org.example.bad.chain": "^1", "swage.lesson.look": "^1" },
-      "objects": [ { "name": "chain", "plugin": "org.example.bad.chain", "params": { "fault": )" + std::to_string(fault) + R"( } } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
-    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_solvers/org.example.bad.chain";
-    return swage({"validate", bundle, "--only", "solver", "--strictness", "10", "--with", path("chain.json")});
-  };
+  const auto validate = [&](int fault) { return validate_fault("org.example.bad.chain", "solver", fault); };
   const Said good = validate(kGood);
   EXPECT_EQ(good.code, 0) << good.out << good.err;
   EXPECT_THAT(good.out, testing::ContainsRegex("solver +success"));
