@@ -2,6 +2,7 @@
 #include "judge/learning.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,58 +29,88 @@ struct Line {
   double a = 0, b = 0, rss = kInfinity;
 };
 
-// For a given c both laws are linear in a and b.
-Line fit_line(Law law, const Points& p, double c) {
+// For a given c both laws are linear in a and b. `g`: room for the shape at each point.
+Line fit_line(Law law, const Points& p, double c, std::vector<double>& g) {
   const double count = static_cast<double>(p.y.size());
   double g1 = 0, y1 = 0, gg = 0, gy = 0;
   for (std::size_t i = 0; i < p.y.size(); ++i) {
-    const double g = shape(law, p.n[i], c);
-    g1 += g / count;
+    g[i] = shape(law, p.n[i], c);
+    g1 += g[i] / count;
     y1 += p.y[i] / count;
   }
   for (std::size_t i = 0; i < p.y.size(); ++i) {
-    const double g = shape(law, p.n[i], c) - g1;
-    gg += g * g;
-    gy += g * (p.y[i] - y1);
+    gg += (g[i] - g1) * (g[i] - g1);
+    gy += (g[i] - g1) * (p.y[i] - y1);
   }
   Line out;
   out.b = gg > 1e-24 * count ? gy / gg : 0;
   out.a = y1 - out.b * g1;
   out.rss = 0;
   for (std::size_t i = 0; i < p.y.size(); ++i) {
-    const double e = p.y[i] - out.a - out.b * shape(law, p.n[i], c);
+    const double e = p.y[i] - out.a - out.b * g[i];
     out.rss += e * e;
   }
   return out;
 }
 
 // Residual sum of squares of the best b for a given level a.
-double rss_at_level(Law law, const Points& p, double a, double c) {
+double rss_at_level(Law law, const Points& p, double a, double c, std::vector<double>& g) {
   double gg = 0, gy = 0, rss = 0;
   for (std::size_t i = 0; i < p.y.size(); ++i) {
-    const double g = shape(law, p.n[i], c);
-    gg += g * g;
-    gy += g * (p.y[i] - a);
+    g[i] = shape(law, p.n[i], c);
+    gg += g[i] * g[i];
+    gy += g[i] * (p.y[i] - a);
   }
   const double b = gg > 0 ? gy / gg : 0;
   for (std::size_t i = 0; i < p.y.size(); ++i) {
-    const double e = p.y[i] - a - b * shape(law, p.n[i], c);
+    const double e = p.y[i] - a - b * g[i];
     rss += e * e;
   }
   return rss;
 }
 
-// The c with the least sum of squares: the best of a grid, uniform in log c, then golden section about it.
-template <class Rss>
-double best_c(double low, double high, const Rss& rss) {
-  const double step = std::log(high / low) / (kGrid - 1);
+// Values of c, uniform in log c, with sums over the points from which the residual follows at any level.
+class Grid {
+ public:
+  Grid(Law law, const Points& p, double low, double high) : low_(low), step_(std::log(high / low) / (kGrid - 1)), count_(static_cast<double>(p.y.size())) {
+    for (const double y : p.y) mean_ += y / count_;
+    for (const double y : p.y) y1_ += y - mean_, yy_ += (y - mean_) * (y - mean_);
+    for (int k = 0; k < kGrid; ++k) {
+      Sums& at = sums_[k];
+      for (std::size_t i = 0; i < p.y.size(); ++i) {
+        const double g = shape(law, p.n[i], c(k));
+        at.g1 += g, at.gg += g * g, at.gy += g * (p.y[i] - mean_);
+      }
+    }
+  }
+  double c(int k) const { return low_ * std::exp(step_ * k); }
+  // The logarithms of c on either side.
+  double before(int k) const { return std::log(low_) + step_ * std::max(k - 1, 0); }
+  double after(int k) const { return std::log(low_) + step_ * std::min(k + 1, kGrid - 1); }
+  // To some 16 digits of the sum of squares about the level: enough to choose, too little for the fit of an exact curve.
+  double rss_at_level(int k, double level) const {
+    const Sums& at = sums_[k];
+    const double a = level - mean_;
+    const double gy = at.gy - a * at.g1, b = at.gg > 0 ? gy / at.gg : 0;
+    return yy_ - 2 * a * y1_ + count_ * a * a - b * gy;
+  }
+
+ private:
+  struct Sums {
+    double g1 = 0, gg = 0, gy = 0;
+  };
+  double low_, step_, count_, mean_ = 0, y1_ = 0, yy_ = 0;  // sums of values: less their mean
+  std::array<Sums, kGrid> sums_{};
+};
+
+// The c with the least sum of squares: the best of the grid by `coarse(k)`, then golden section about it by `rss(c)`.
+template <class Coarse, class Rss>
+double best_c(const Grid& grid, const Coarse& coarse, const Rss& rss) {
   int best = 0;
   double least = kInfinity;
-  for (int i = 0; i < kGrid; ++i) {
-    const double r = rss(low * std::exp(step * i));
-    if (r < least) least = r, best = i;
-  }
-  double from = std::log(low) + step * std::max(best - 1, 0), to = std::log(low) + step * std::min(best + 1, kGrid - 1);
+  for (int k = 0; k < kGrid; ++k)
+    if (const double r = coarse(k); r < least) least = r, best = k;
+  double from = grid.before(best), to = grid.after(best);
   const double golden = 1 / std::numbers::phi;
   double left = to - golden * (to - from), right = from + golden * (to - from);
   double at_left = rss(std::exp(left)), at_right = rss(std::exp(right));
@@ -114,10 +145,11 @@ double t_quantile(double within, int dof) {
 
 // Profile likelihood: the levels a for which the best curve is not significantly worse than the optimum. It needs no
 // derivatives and follows the curvature of the laws, for which the interval a +- 2 sigma is too short.
-double level_bound(Law law, const Points& p, double a, double allowed, double range, double low, double high, double side) {
+double level_bound(Law law, const Points& p, const Grid& grid, double a, double allowed, double range, double side) {
+  std::vector<double> g(p.y.size());
   const auto worse = [&](double level) {
-    const double c = best_c(low, high, [&](double at) { return rss_at_level(law, p, level, at); });
-    return rss_at_level(law, p, level, c) > allowed;
+    const auto rss = [&](double c) { return rss_at_level(law, p, level, c, g); };
+    return rss(best_c(grid, [&](int k) { return grid.rss_at_level(k, level); }, rss)) > allowed;
   };
   constexpr double kFar = 64;  // in ranges of the values: the bound counts as infinite beyond
   double inside = 0, outside = range / 64;
@@ -157,8 +189,11 @@ Curve fit_curve(Law law, std::span<const double> values, std::span<const double>
   const bool exponential = law == Law::kExponential;
   const double last = *std::max_element(p.n.begin(), p.n.end());
   const double low = exponential ? kQuickest : kFlattest, high = exponential ? kSlowest * last : kSteepest;
-  out.c = best_c(low, high, [&](double c) { return fit_line(law, p, c).rss; });
-  const Line line = fit_line(law, p, out.c);
+  const Grid grid(law, p, low, high);
+  std::vector<double> g(count);
+  const auto rss = [&](double c) { return fit_line(law, p, c, g).rss; };
+  out.c = best_c(grid, [&](int k) { return rss(grid.c(k)); }, rss);
+  const Line line = fit_line(law, p, out.c, g);
   const double n = static_cast<double>(count), dof = n - 3;
   out.fitted = true;
   out.a = line.a;
@@ -176,8 +211,8 @@ Curve fit_curve(Law law, std::span<const double> values, std::span<const double>
   }
   // rounding errors of an exact curve must not count as a worse fit
   const double allowed = line.rss * (1 + t * t / dof) + 1e-24 * range * range * n;
-  out.low = level_bound(law, p, out.a, allowed, range, low, high, -1);
-  out.high = level_bound(law, p, out.a, allowed, range, low, high, +1);
+  out.low = level_bound(law, p, grid, out.a, allowed, range, -1);
+  out.high = level_bound(law, p, grid, out.a, allowed, range, +1);
   return out;
 }
 
