@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
   console::prepare_application();
   choose_language();
   console::Launch launch = console::read_command_line(app.arguments());
+  launch.options.pull_lesson = console::lesson_file(session::kPullLesson).toStdString();
 
   // a screenshot for the documentation uses the default settings
   const QTemporaryDir own;

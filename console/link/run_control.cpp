@@ -8,6 +8,8 @@ namespace swage::console {
 namespace {
 
 constexpr int kPoll_ms = 16;  // display rate; polling does not delay the session
+constexpr int kPulling_ms = 12;        // of each poll, once an attempt has ended and its knot is being pulled
+constexpr uint64_t kPullSteps = 5;  // between two looks at the clock; a step takes some 0.6 ms
 
 }  // namespace
 
@@ -57,7 +59,7 @@ bool RunControl::start(const session::Options& options) {
 }
 
 void RunControl::toggle_pause() {
-  if (!running()) return;
+  if (!running() || session_->finished()) return;
   const bool pause = state_ == State::kRunning;
   session_->pause(pause);
   set_state(pause ? State::kPaused : State::kRunning);
@@ -100,10 +102,23 @@ QString RunControl::change(const std::string& instance, const std::string& json)
 void RunControl::poll() {
   if (!session_) return;
   const bool over = session_->finished();
+  if (over && running() && pull_on()) return;
   if (session_->latest(*latest_)) source_.push(*latest_, wall_s());
   for (judge::Event event; session_->next_event(event);) Q_EMIT happened(event);
   Q_EMIT frame();
   if (over && running()) finish();
+}
+
+/// Pulls the knot of a passed attempt for a while. False when there is nothing left to pull.
+bool RunControl::pull_on() {
+  QElapsedTimer clock;
+  clock.start();
+  session::PullProgress now;
+  do {
+    if (!session_->pull_knot(kPullSteps, now)) return false;
+  } while (clock.elapsed() < kPulling_ms);
+  Q_EMIT pulling(now.bears, now.load);
+  return true;
 }
 
 void RunControl::finish() {

@@ -66,10 +66,12 @@ class RunControl : public QObject {
   void frame();  // at display rate while running
   void happened(const swage::judge::Event& event);
   void marked(double time_s);
-  void finished();  // result() is complete
+  void pulling(double bears_N, double load_N);  // its knot is being pulled, once the attempt has been passed
+  void finished();                               // result() is complete
 
  private:
   void poll();
+  bool pull_on();
   void set_state(State state);
   void finish();
   double wall_s() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }

@@ -6,6 +6,7 @@
 
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
+#include "judge/pull_rule.hpp"
 
 namespace swage::console {
 namespace {
@@ -41,6 +42,11 @@ void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
       if (m.evidence != SWAGE_EVIDENCE_NONE && !cards().contains(id))
         cards().insert(id, {m.better, QString::fromStdString(m.formula)});
     }
+  }
+  // those of the host's own
+  for (const judge::PullMetric& m : judge::kPullMetrics) {
+    labels().insert(QLatin1String(m.id), {m.title, m.show});
+    cards().insert(QLatin1String(m.id), {m.better, QLatin1String(m.formula)});
   }
 }
 

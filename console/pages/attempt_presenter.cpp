@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/attempt_presenter.hpp"
 
+#include <QLocale>
 #include <algorithm>
 #include <limits>
 
@@ -17,9 +18,14 @@ constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 constexpr double kMarked_s = 2;            // a mark refers to a moment just before the key press
 constexpr qint64 kHealthPeriod_ms = 1000;  // a number cannot be read more often than once a second
 
-bool can_be_pierced(const snapshot::CardObject& object) {
-  return std::find(object.traits.begin(), object.traits.end(), SWAGE_TRAIT_PIERCEABLE) != object.traits.end();
+bool any_has(const snapshot::SceneCard& card, const char* trait) {
+  return std::any_of(card.objects.begin(), card.objects.end(), [trait](const snapshot::CardObject& object) {
+    return std::find(object.traits.begin(), object.traits.end(), trait) != object.traits.end();
+  });
 }
+
+/// A needle, and something to drive it through.
+bool drives_a_needle(const snapshot::SceneCard& card) { return any_has(card, SWAGE_TRAIT_PIERCING) && any_has(card, SWAGE_TRAIT_PIERCEABLE); }
 
 }  // namespace
 
@@ -148,6 +154,12 @@ record::Display AttemptPresenter::begin(const session::Options& like, bool guide
 void AttemptPresenter::end(double simulated_s, const QString& banner) {
   for (SceneView* view : views_) view->set_hold(0);
   set_texts(clock_text(simulated_s), banner);
+}
+
+void AttemptPresenter::show_pulling(double bears_N, double load_N) {
+  const snapshot::Snapshot* newest = control_->newest();
+  const auto mN = [](double N) { return with_unit(QLocale().toString(1e3 * N, 'f', 0), "mN"); };
+  set_texts(clock_text(newest ? newest->time_s : 0), tr("The knot is being pulled: %1 of %2").arg(mN(bears_N), mN(load_N)));
 }
 
 const SceneView* AttemptPresenter::trainees_view() const {
@@ -287,7 +299,7 @@ void AttemptPresenter::set_used_controls(const QString& used) {
 void AttemptPresenter::update_hints() {
   ControlHints hints;
   if (control_->running() && hand_.is_led())
-    hints = advice_.hints(is_test(), std::any_of(card_.objects.begin(), card_.objects.end(), can_be_pierced), preset_);
+    hints = advice_.hints(is_test(), drives_a_needle(card_), preset_);
   for (SceneView* view : views_) view->set_control_hints(hints);
 }
 

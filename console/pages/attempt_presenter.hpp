@@ -73,6 +73,8 @@ class AttemptPresenter : public QObject {
   record::Display begin(const session::Options& like, bool guide_wanted);
   /// To be called when the attempt has ended; `banner`: its outcome.
   void end(double simulated_s, const QString& banner);
+  /// The attempt is over, and the program pulls a copy of its knot.
+  void show_pulling(double bears_N, double load_N);
 
   /// To be called after every change of the run's state: running, paused, idle.
   void update_state();

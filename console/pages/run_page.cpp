@@ -153,6 +153,7 @@ void RunPage::connect_control() {
   connect(control_, &RunControl::told, fault_, &FaultCard::show_record_warning);
   connect(control_, &RunControl::state_changed, this, &RunPage::update_state);
   connect(control_, &RunControl::frame, presenter_.get(), &AttemptPresenter::update_frame);
+  connect(control_, &RunControl::pulling, presenter_.get(), &AttemptPresenter::show_pulling);
   connect(control_, &RunControl::finished, this, &RunPage::show_finished);
   connect(result_, &ResultPanel::again, this, &RunPage::start);
   connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);

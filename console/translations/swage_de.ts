@@ -1328,6 +1328,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Paused</source>
         <translation>Angehalten</translation>
     </message>
+    <message>
+        <source>The knot is being pulled: %1 of %2</source>
+        <translation>Am Knoten wird gezogen: %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::AttemptsModel</name>

@@ -23,9 +23,9 @@ int place_in_order(CameraPreset view) { return static_cast<int>(std::find(kViewO
 }  // namespace
 
 std::optional<CameraPreset> view_named(std::string_view name) {
-  const auto found = std::find(kViewNames.begin(), kViewNames.end(), name);
-  if (found == kViewNames.end()) return std::nullopt;
-  return kViewOrder[static_cast<size_t>(found - kViewNames.begin())];
+  const auto* const found = std::find(std::begin(snapshot::kViews), std::end(snapshot::kViews), name);
+  if (found == std::end(snapshot::kViews)) return std::nullopt;
+  return kViewOrder[static_cast<size_t>(found - std::begin(snapshot::kViews))];
 }
 
 CameraPreset view_after(CameraPreset now, int steps) {

@@ -6,17 +6,19 @@
 #include <QQuaternion>
 #include <QVector3D>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string_view>
+
+#include "snapshot/scene_card.hpp"
 
 namespace swage::console {
 
 enum class CameraPreset { kOrbit, kSide, kTop, kNear };
 /// The views in the order in which F11 goes through them; after the last the first.
 inline constexpr std::array kViewOrder = {CameraPreset::kOrbit, CameraPreset::kSide, CameraPreset::kTop, CameraPreset::kNear};
-/// Names of the views in the same order, in lesson files and on the command line.
-inline constexpr std::array<std::string_view, kViewOrder.size()> kViewNames = {"orbit", "side", "top", "near"};
-/// The view of a name; no value for other words.
+static_assert(std::size(snapshot::kViews) == kViewOrder.size(), "their names, in the same order");
+/// The view of a name, as lesson files and the command line have it; no value for other words.
 std::optional<CameraPreset> view_named(std::string_view name);
 /// The view `steps` of F11 after this one.
 CameraPreset view_after(CameraPreset now, int steps = 1);

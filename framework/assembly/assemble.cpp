@@ -42,6 +42,7 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->card.medium = file_.environment.medium;
   rig_->card.viscosity = file_.environment.viscosity;
   rig_->max_time_s = file_.max_time_s;
+  rig_->pull = file_.pull;
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;
 
@@ -67,6 +68,7 @@ std::unique_ptr<Rig> Assembler::run() {
   if (file_.faulty || !good()) return nullptr;
   bind_lesson();
   bind_sights();
+  if (rig_->pull.load > 0) rig_->first_pull_metric = judge::declare_pull_metrics(rig_->script);
   fill_card();
   if (!good() || !host::activate(*rig_, problems_)) return nullptr;
   return std::move(rig_);

@@ -10,6 +10,8 @@
 #include "assembly/sentences.hpp"
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
+#include "judge/host_events.hpp"
+#include "judge/pull_rule.hpp"
 #include "snapshot/snapshot.hpp"
 #include "toolkit/height_field.hpp"
 #include "toolkit/mirror.hpp"
@@ -260,6 +262,16 @@ void mirror(snapshot::SceneCard& card) {
   }
 }
 
+/// What the card says of a metric: of a pull of the host's, or of the lesson's plugin.
+snapshot::CardMetric card_metric(const judge::Name& metric, const host::PluginInfo* plugin) {
+  for (const judge::PullMetric& m : judge::kPullMetrics)
+    if (metric.owner == judge::kHostOwner && m.id == metric.id) return {m.better, SWAGE_EVIDENCE_D, "", m.formula, m.title, m.show, m.rank};
+  if (plugin == nullptr || metric.owner == judge::kHostOwner) return {};
+  for (const host::MetricInfo& m : plugin->metrics)
+    if (m.id == metric.id) return {m.better, m.evidence, m.code, m.formula, m.title, m.show, m.rank};
+  return {};
+}
+
 /// Adds the surface of a height field as declared.
 void add_triangles(const scene::HeightFieldInfo& info, snapshot::CardShape& shape) {
   const toolkit::HeightField field{info.nx, info.ny, info.dx, info.dy, info.height.data()};
@@ -277,12 +289,7 @@ void add_triangles(const scene::HeightFieldInfo& info, snapshot::CardShape& shap
 
 void Assembler::fill_metrics() {
   const host::PluginInfo* plugin = catalogue_.find(file_.lesson.plugin);
-  for (const judge::Name& metric : rig_->script.metrics) {
-    snapshot::CardMetric& row = rig_->card.metrics.emplace_back();
-    if (plugin == nullptr) continue;
-    for (const host::MetricInfo& m : plugin->metrics)
-      if (m.id == metric.id) row = {m.better, m.evidence, m.code, m.formula, m.title, m.show, m.rank};
-  }
+  for (const judge::Name& metric : rig_->script.metrics) rig_->card.metrics.push_back(card_metric(metric, plugin));
   rig_->card.cue_channels.assign(rig_->script.cues.size(), kAllChannels);
   for (std::size_t i = 0; plugin != nullptr && i < rig_->script.cues.size(); ++i)
     for (const host::CueInfo& c : plugin->cues)

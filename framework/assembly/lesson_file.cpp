@@ -13,6 +13,7 @@
 #include "host/environment.hpp"
 #include "host/nearest.hpp"
 #include "host/version.hpp"
+#include "snapshot/scene_card.hpp"
 
 namespace swage::assembly {
 
@@ -22,6 +23,7 @@ constexpr const char* kFormat = "swage-lesson/1";
 constexpr std::size_t kMostProblems = 200;  // of one file; further ones are reported after these are corrected
 constexpr std::size_t kMostUses = 128;   // objects, couplings or devices; lessons have up to twenty
 constexpr std::size_t kMostChoices = 32;  // alternatives of a device; lessons have up to five
+constexpr double kLeastPull = 1e-3, kMostPull = 10;  // N; a thread of 6-0 nylon parts at 2.8 N
 constexpr const char* kChannels[] = {"colour", "shape", "sound", "force"};  // bits SWAGE_CHANNEL_*
 
 class LessonParser {
@@ -45,7 +47,8 @@ class LessonParser {
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
     out_.mirror = top.flag("mirror", false);
     out_.tips_only = top.flag("tips_only", false);
-    if (top.find("view") != nullptr) out_.view = top.choice("view", kViews);
+    if (top.find("view") != nullptr) out_.view = top.choice("view", snapshot::kViews);
+    if (const Json* pull = top.find("pull")) read_pull(*pull, top.at("pull"));
     read_modes(top);
     read_requirements(top);
     top.each("devices", kMostUses, [this](const Json& j, const std::string& p) { read_device(j, p); });
@@ -98,6 +101,13 @@ class LessonParser {
     for (const host::EnvironmentKey& k : host::kEnvironmentKeys)
       out_.environment.*k.member = reader.quantity(k.key, k.unit, out_.environment.*k.member, k.min, k.max);
     if (out_.environment.charge != 0 && word != host::kMedia[0]) teller_.error(reader.at("charge"), say::kNoCharge(word));
+    reader.finish();
+  }
+
+  void read_pull(const Json& json, const std::string& pointer) {
+    ObjectReader reader(json, pointer, "the pull of a lesson's knot", teller_);
+    if (reader.need("load") != nullptr) out_.pull.load = reader.quantity("load", "N", 0, kLeastPull, kMostPull);
+    out_.pull.points = reader.quantity("points", "1", 0, 0, 100 - judge::kLeastOfPassed);
     reader.finish();
   }
 

@@ -16,6 +16,7 @@
 #include "assembly/settings.hpp"
 #include "base/problem.hpp"
 #include "host/hand_shaping.hpp"
+#include "judge/pull_rule.hpp"
 
 namespace swage::assembly {
 
@@ -53,8 +54,6 @@ struct LessonCoupling : PluginUse {
   std::string a, b;  // names of objects
 };
 
-/// Views from which a trainee may look first: from the front, from the side, from above, close to the work.
-inline constexpr const char* kViews[] = {"orbit", "side", "top", "near"};
 /// Practice shows cues; a test hides them and counts; a demo is played by the expert's hand and not recorded.
 inline constexpr const char* kModes[] = {"practice", "test", "demo"};
 /// Mode under which an attempt of a scripted hand is recorded, for any requested mode; judged as a test.
@@ -77,7 +76,8 @@ struct LessonFile {
   std::string environment_text;  // the JSON object of "environment" as written, "" for none
   double max_time_s = 0;          // simulated; 0: no limit
   bool tips_only = false;         // only the tips of instruments are drawn
-  std::string view;               // one of kViews, "": as the program has it
+  std::string view;               // one of snapshot::kViews, "": as the program has it
+  judge::PullRule pull;           // of the knot of a passed attempt
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
   std::string mode;  // one of kModes, "": the mode of the run, else a test with cues
   uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use when they are shown

@@ -29,7 +29,7 @@ constexpr std::size_t kMostBases = 8;  // a longer chain could not be followed b
 constexpr const char* kOwn[] = {"format",  "based_on", "set",  "id",           "title",
                                 "summary", "goal",     "seed", "rate_hz",      "gravity",
                                 "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only", "view",
-                                "environment", "reset"};
+                                "environment", "reset", "pull"};
 
 // position of a parser error, as line and column
 std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {

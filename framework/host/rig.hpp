@@ -18,6 +18,7 @@
 #include "contact/contact_set.hpp"
 #include "host/hand_shaping.hpp"
 #include "host/instance.hpp"
+#include "judge/pull_rule.hpp"
 #include "judge/verdict.hpp"
 #include "scene/world.hpp"
 #include "snapshot/scene_card.hpp"
@@ -102,6 +103,8 @@ struct Rig {
   std::vector<GivenFile> files;  // files that the lesson names, each once
 
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
+  judge::PullRule pull;                // of the knot of a passed attempt
+  uint32_t first_pull_metric = kNone;  // into Script::metrics, kPullMeasureCount of them; kNone: it is not pulled
   Attempt attempt;
   Shared shared;         // of the instances' services; points into this rig
 

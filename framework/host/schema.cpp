@@ -6,6 +6,7 @@
 
 #include "host/environment.hpp"
 #include "host/units.hpp"
+#include "snapshot/scene_card.hpp"
 
 namespace swage::host {
 
@@ -202,7 +203,8 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"max_time", quantity_schema("s", 0, 86400)},
                    {"mirror", {{"type", "boolean"}}},
                    {"tips_only", {{"type", "boolean"}}},
-                   {"view", {{"enum", {"orbit", "side", "top", "near"}}}},
+                   {"view", {{"enum", snapshot::kViews}}},
+                   {"pull", closed({{"load", quantity_schema("N", 1e-3, 10)}, {"points", {{"type", "number"}, {"minimum", 0}, {"maximum", 60}}}}, {"load"})},
                    {"mode", {{"enum", {"practice", "test", "demo"}}}},
                    {"cues", list({{"enum", {"colour", "shape", "sound", "force"}}})},
                    {"requires", {{"type", "object"}, {"additionalProperties", text}}},

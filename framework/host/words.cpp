@@ -146,6 +146,7 @@ std::vector<std::string> words_of(const snapshot::SceneCard& card) {
     if (n.owner != judge::kHostOwner) list.add(n.id), list.add(without_value(n.doc));
   for (const judge::Name& n : script.phases) list.add(n.doc.empty() ? n.id : n.doc);
   for (std::size_t i = 0; i < script.metrics.size(); ++i) {
+    if (script.metrics[i].owner == judge::kHostOwner) continue;
     const bool titled = i < card.metrics.size() && !card.metrics[i].title.empty();
     if (!titled) list.add(script.metrics[i].id);
     list.add(script.metrics[i].doc);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -190,14 +191,14 @@ uint32_t object_of(const scene::World& world, uint32_t chain) {
   return scene::kNone;
 }
 
-/// The thread's own parameters, but for where it starts; files by their resolved paths.
+/// The thread's own parameters, but for where it starts; files by their absolute paths: lesson 139 may lie elsewhere.
 void copy_params(const host::Rig& rig, const Json& params, KnotCopy& out) {
   static const std::set<std::string> kStart = {"start", "path", "paths", "shape", "coil_radius", "first", "last", "length", "segments"};
   for (const auto& [key, value] : params.items()) {
     if (kStart.count(key) > 0) continue;
     std::string text = value.is_string() ? value.get<std::string>() : value.dump();
     for (const host::GivenFile& file : rig.files)
-      if (file.written == text) text = file.path;
+      if (file.written == text) text = std::filesystem::absolute(file.path).string();
     out.settings.push_back("knot." + key + "=" + text);
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "record/recorder.hpp"
+#include "session/knot_test.hpp"
 #include "session/playback.hpp"
 #include "session/sentences.hpp"
 #include "session/session.hpp"
@@ -57,13 +58,12 @@ Result verdict_of(const Playback& again) {
   return out;
 }
 
-}  // namespace
-
-bool replay(const record::Recording& recording, const std::vector<std::string>& plugin_dirs, Replay& out,
-            Problems& problems, bool to_the_end) {
+/// Steps the recording again and compares. `to_the_end`: goes on where the bits differ. nullptr where the scene cannot be built.
+std::unique_ptr<Playback> step_again(const record::Recording& recording, const std::vector<std::string>& plugin_dirs, Replay& out, Problems& problems,
+                                     bool to_the_end) {
   out = {};
-  const std::unique_ptr<Playback> again = Playback::open(recording, plugin_dirs, problems);
-  if (!again) return false;
+  std::unique_ptr<Playback> again = Playback::open(recording, plugin_dirs, problems);
+  if (!again) return nullptr;
   const host::Rig& rig = again->rig();
   const std::size_t signals = recording.info.script.signals.size();
   const uint64_t last = void_from(recording);
@@ -71,7 +71,7 @@ bool replay(const record::Recording& recording, const std::vector<std::string>& 
   for (std::size_t i = 0; i < recording.step.size(); ++i) {
     if (i >= again->count()) {
       out.reason = say::kNotRecorded(i);
-      return true;
+      return again;
     }
     if (i >= last) {
       out.reason = say::kQuarantined(last);
@@ -83,14 +83,31 @@ bool replay(const record::Recording& recording, const std::vector<std::string>& 
     out.first_difference = i;
     if (rig.world.signal.size() <= signals) out.reason = who_differs(rig, &recording.signal[signals * i]);
     out.verdict = verdict_of(*again);
-    if (!to_the_end) return true;
+    if (!to_the_end) return again;
     while (again->step()) {
     }
     out.verdict = verdict_of(*again);
-    return true;
+    return again;
   }
   out.identical = true;
   out.verdict = verdict_of(*again);
+  return again;
+}
+
+}  // namespace
+
+bool replay(const record::Recording& recording, const std::vector<std::string>& plugin_dirs, Replay& out, Problems& problems) {
+  return step_again(recording, plugin_dirs, out, problems, false) != nullptr;
+}
+
+bool judge_again(const record::Recording& recording, const std::vector<std::string>& plugin_dirs, const std::string& pull_lesson, Replay& out,
+                 Problems& problems) {
+  const std::unique_ptr<Playback> again = step_again(recording, plugin_dirs, out, problems, true);
+  if (!again) return false;
+  if (out.verdict.metrics.empty() || !KnotTest::wanted(again->rig(), again->engine().verdict())) return true;
+  KnotTest pull(again->rig(), again->engine().world(), pull_lesson, plugin_dirs);
+  while (pull.step(1000)) continue;
+  pull.tell(out.verdict);
   return true;
 }
 

@@ -321,7 +321,20 @@ void Run::stop() {
 }
 
 void Run::wait() {
-  if (started_) close();
+  if (!started_) return;
+  thread_->join();
+  for (PullProgress ignored; pull_knot(1000, ignored);) continue;
+  close();
+}
+
+bool Run::pull_knot(uint64_t most_steps, PullProgress& out) {
+  if (closed_ || !started_ || !loop_->finished()) return false;
+  if (loop_->ending() != Ending::kVerdict || engine_->quarantined() > 0 || !KnotTest::wanted(*rig_, engine_->verdict())) return false;
+  thread_->join();
+  if (!knot_test_) knot_test_ = std::make_unique<KnotTest>(*rig_, engine_->world(), options_.pull_lesson, options_.plugin_dirs);
+  const bool more = knot_test_->step(most_steps);
+  out = knot_test_->progress();
+  return more;
 }
 
 // Waits for the end of the attempt and stores its result before any device is closed. The watchdog runs meanwhile.

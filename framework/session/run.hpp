@@ -13,6 +13,7 @@
 #include "host/rig.hpp"
 #include "record/recorder.hpp"
 #include "session/device_ports.hpp"
+#include "session/knot_test.hpp"
 #include "session/loop.hpp"
 #include "session/processor_wait.hpp"
 #include "session/rt_thread.hpp"
@@ -42,6 +43,7 @@ class Run final : public Session {
   void stop() override;
   bool finished() const override { return loop_->finished(); }
   void wait() override;
+  bool pull_knot(uint64_t most_steps, PullProgress& out) override;
   void pointer(const swage_pointer& p) override { loop_->pointer(p); }
   bool latest(snapshot::Snapshot& out) const override { return loop_->latest(out); }
   bool next_event(judge::Event& out) override { return loop_->next_event(out); }
@@ -75,6 +77,7 @@ class Run final : public Session {
   std::unique_ptr<step::Engine> engine_;
   std::unique_ptr<record::Recorder> recorder_;
   std::unique_ptr<Loop> loop_;
+  std::unique_ptr<KnotTest> knot_test_;  // once the attempt has been passed, where the lesson asks for it
   std::unique_ptr<RtThread> thread_;
 
   static std::atomic<Run*> current_;

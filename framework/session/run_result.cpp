@@ -95,6 +95,7 @@ Result Run::make_result(Ending ending) const {
     out.metrics.push_back({name.id, name.unit, name.doc, verdict.metric[i]});
   }
   out.health = loop_->health();
+  if (knot_test_) knot_test_->tell(out);
   tell_circumstances(out);
   return out;
 }

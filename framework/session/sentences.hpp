@@ -32,6 +32,7 @@ inline constexpr auto kRecordedWith = "Recorded with {} {}, replayed with {} {}.
 // the pull test of a knot
 inline constexpr auto kNoKnot = "There is no knot here that can be read for certain: nothing is pulled."_sentence;
 inline constexpr auto kNoRoom = "The loop of the knot has no room for the two pins that draw it apart, 0.3 mm thick and 0.5 mm from each other."_sentence;
+inline constexpr auto kNotPulled = "The knot was not pulled: {}"_sentence;  // a sentence
 inline constexpr auto kFinerAndCut = "A thread that has been cut and has a part with finer segments cannot be copied."_sentence;
 
 // registration of an arm

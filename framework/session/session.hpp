@@ -48,6 +48,12 @@ struct Options {
   bool start_paused = false;
   bool safe_mode = false;  // stock plugins only
   double max_time_s = 0;   // simulated; 0: until the lesson finishes
+  std::string pull_lesson;  // file of lesson 139, in which a knot is pulled (knot_copy.hpp); "": beside the lesson
+};
+
+/// The pull of a knot after its attempt, so far.
+struct PullProgress {
+  double bears = 0, load = 0;  // N; load: up to which it is pulled
 };
 
 using Problem = base::Problem;
@@ -97,7 +103,10 @@ class Session {
                       Problems& problems) = 0;
   virtual void stop() = 0;            // ends the attempt as aborted unless it had finished; joins the threads
   virtual bool finished() const = 0;  // [any]
-  virtual void wait() = 0;            // until finished or stopped
+  virtual void wait() = 0;            // until finished or stopped, and its knot pulled
+  /// Once finished: pulls the knot of an attempt that was passed where the lesson asks for it, by so many steps at most. False when nothing is
+  /// left to do. Who calls stop() instead of going on gets a result without it.
+  virtual bool pull_knot(uint64_t most_steps, PullProgress& out) = 0;
 
   virtual void pointer(const swage_pointer&) = 0;  // [any one thread] movements accumulate until the next step
   virtual bool latest(
@@ -119,8 +128,12 @@ struct Replay {
 
 /// Builds the scene from the recording's own descriptor, steps it without a clock on the recorded samples and
 /// commands, and compares the hash of every step. False and `problems` when it cannot be built (a plugin is
-/// missing). `to_the_end`: continues where the bits differ, for the verdict of the present lesson. [main]
-bool replay(const record::Recording&, const std::vector<std::string>& plugin_dirs, Replay& out,
-            Problems& problems, bool to_the_end = false);
+/// missing). [main]
+bool replay(const record::Recording&, const std::vector<std::string>& plugin_dirs, Replay& out, Problems& problems);
+
+/// The same, for the verdict of the present lesson: continues where the bits differ, and pulls the knot where the lesson asks for it. `pull_lesson`: as
+/// in Options. [main]
+bool judge_again(const record::Recording&, const std::vector<std::string>& plugin_dirs, const std::string& pull_lesson, Replay& out,
+                 Problems& problems);
 
 }  // namespace swage::session

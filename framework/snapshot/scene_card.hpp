@@ -42,12 +42,15 @@ struct CardMetric {
   int32_t show = 0, rank = 0;  // SWAGE_SHOW_*; place among what is shown first, 0: on demand
 };
 
+/// Views from which a trainee may look first: from the front, from the side, from above, close to the work.
+inline constexpr const char* kViews[] = {"orbit", "side", "top", "near"};
+
 struct SceneCard {
   std::string lesson_id, title, lesson_plugin;
   std::string mode;   // "practice", "test", "demo"
   uint32_t cues = 0;  // SWAGE_CHANNEL_* that cues may use; 0: a test is taken without help
   bool tips_only = false;  // of instruments only the tips are drawn
-  std::string view;        // from where a trainee looks first: "orbit", "side", "top", "near"; "" where the lesson does not say
+  std::string view;        // one of kViews, from where a trainee looks first; "" where the lesson does not say
   uint32_t medium = 0;  // SWAGE_MEDIUM_* of abi/environment.h
   double viscosity = 0;  // Pa s, of the medium
   double length = 0;  // m, characteristic

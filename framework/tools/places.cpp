@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "record/address.hpp"
+#include "session/knot_copy.hpp"
 #include "tools/sentences.hpp"
 
 namespace swage::tools {
@@ -51,6 +52,12 @@ std::string data_folder(const std::string& name, std::vector<std::string>& searc
   for (int i = 0; i < 4 && up.has_relative_path(); ++i, up = up.parent_path())
     if (look(up / "resources" / name) || look(up / name)) return searched.back();
   return "";
+}
+
+std::string pull_lesson() {
+  std::vector<std::string> searched;
+  const std::string folder = data_folder("lessons/series", searched);
+  return folder.empty() ? "" : folder + "/" + session::kPullLesson;
 }
 
 std::string template_folder(std::vector<std::string>& searched) {

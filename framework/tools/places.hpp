@@ -28,6 +28,9 @@ bool has_display();
 /// "" when there is none; `searched`: the places tried.
 std::string data_folder(const std::string& name, std::vector<std::string>& searched);
 
+/// Lesson 139 of the series, in which knots are pulled; "" when there is none.
+std::string pull_lesson();
+
 /// Templates of new plugins: share/swage/plugin_template of the install, resources/plugin_template of a source tree.
 /// "" when there are none; `searched`: the places tried.
 std::string template_folder(std::vector<std::string>& searched);

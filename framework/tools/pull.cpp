@@ -18,14 +18,6 @@
 namespace swage::tools {
 namespace {
 
-// Path of lesson 139, "" with a problem told where it is not found.
-std::string pull_lesson() {
-  std::vector<std::string> searched;
-  const std::string folder = data_folder("lessons/series", searched);
-  if (folder.empty()) problem(say::kNoFile(session::kPullLesson));
-  return folder.empty() ? "" : folder + "/" + session::kPullLesson;
-}
-
 void print_text(const session::KnotCopy& copy, const session::Pulled& result, const session::PullOptions& asked, double friction) {
   const std::string what = say::kPulledKnot(copy.word, copy.thread, quantity_text(copy.loop, "m"), format("%.3g", friction));
   const std::string slip = quantity_text(result.slip, "m");
@@ -54,7 +46,7 @@ int pull(const PullVerbOptions& o) {
   problems.clear();
   session::KnotCopy copy;
   session::PullOptions options{pull_lesson(), o.plugin_dirs, o.load, o.friction};
-  if (options.lesson_path.empty()) return kProblem;
+  if (options.lesson_path.empty()) return problem(say::kNoFile(session::kPullLesson));
   std::unique_ptr<session::Rehearsal> test;
   if (session::copy_knot(playback->rig(), playback->engine().world(), copy, problems)) test = session::open_pull(copy, options, problems);
   tell(problems);

@@ -78,7 +78,7 @@ Judged grade_one(record::Store& store, const std::string& where, const ReplayOpt
     return Judged::kNot;
   }
   const std::string gap = gap_text(recording);
-  const bool stepped = gap.empty() && session::replay(recording, o.plugin_dirs, result, problems, true);
+  const bool stepped = gap.empty() && session::judge_again(recording, o.plugin_dirs, pull_lesson(), result, problems);
   tell(problems);
   if (!stepped) {
     if (!gap.empty()) tell(base::Severity::kError, then.id, gap);

@@ -121,6 +121,14 @@ void tell_of_lost_hand(const session::Session& session, bool& told) {
   }
 }
 
+// pulls the knot of a passed attempt, with progress on a terminal
+void pull_knot(session::Session& session) {
+  constexpr uint64_t kSteps = 100;  // between two looks at the signals
+  session::PullProgress now;
+  while (interrupts == 0 && session.pull_knot(kSteps, now)) progress(say::kBeingPulled(quantity_text(now.bears, "N"), quantity_text(now.load, "N")));
+  progress("");
+}
+
 void drive(session::Session& session) {
   session.start();
   bool told = false;
@@ -129,6 +137,7 @@ void drive(session::Session& session) {
     if (look % 40 == 39) tell_of_lost_hand(session, told);
   }
   if (interrupts != 0) tell(base::Severity::kNote, "", say::kInterrupted());
+  pull_knot(session);
   session.stop();
 }
 
@@ -273,6 +282,7 @@ int run(const RunOptions& o) {
   session::Options options;
   options.lesson_path = o.lesson;
   options.plugin_dirs = o.plugin_dirs;
+  options.pull_lesson = pull_lesson();
   options.device = o.device;
   options.device_params = o.device_params;
   options.settings = o.settings;

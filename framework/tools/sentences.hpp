@@ -344,6 +344,7 @@ inline constexpr auto kDiffers = "differs from step {} on ({} s)"_sentence;
 
 // swage pull
 inline constexpr auto kPulledKnot = "knot {} in \"{}\", loop {}, friction {}"_sentence;
+inline constexpr auto kBeingPulled = "pulling the knot: {} of {}"_sentence;
 inline constexpr auto kKnotHolds = "holds {}; slip {}"_sentence;
 inline constexpr auto kKnotSlips = "gives way: it has borne {}; slip {}"_sentence;
 inline constexpr auto kKnotBroke = "the thread parts: it has borne {}; slip {}"_sentence;

@@ -12,6 +12,7 @@
 
 #include "session/session.hpp"
 #include "toolkit/read_file.hpp"
+#include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
 #include "tools/study_laws.hpp"
@@ -118,6 +119,7 @@ bool run_one(const Study& study, const StudyOptions& o, StudyRow& row, base::Pro
   session::Options options;
   options.lesson_path = study.lesson;
   options.plugin_dirs = o.plugin_dirs;
+  options.pull_lesson = pull_lesson();
   options.device = study.hands[row.hand].device;
   options.device_params = study.hands[row.hand].params;
   options.person = study.hands[row.hand].name;

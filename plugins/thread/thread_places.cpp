@@ -13,6 +13,17 @@ using toolkit::RodState;
 using toolkit::vec;
 using toolkit::Vec3;
 
+namespace {
+
+/// Share of the edge at which arc length s lies; its nearer end for an s beyond it.
+double share_of(const ChainState& chain, int edge, double s) {
+  const auto j = static_cast<size_t>(edge);
+  const double begin = chain.s[j], end = chain.s[j + 1];
+  return std::clamp((s - begin) / (end - begin), 0.0, 1.0);
+}
+
+}  // namespace
+
 std::pair<int, double> Thread::nearest_edge(const RodState& s, const Vec3& p_W) const {
   std::pair<int, double> found{0, 0.0};
   double nearest = HUGE_VAL;
@@ -69,10 +80,8 @@ int Thread::edge_at(const Step& step, double s) const {
 void Thread::cut(const Step& step, double s) { step.chain(0, vertices()).radius[at(edge_at(step, s))] = 0; }
 
 void Thread::strand_place(const Step& step, double s, swage_strand_place& out) {
-  const auto all = step.chain(0, vertices()).s;
   const int j = edge_at(step, s);
-  const double share = (s - all[at(j)]) / (all[at(j + 1)] - all[at(j)]);
-  tell(step, j, std::clamp(share, 0.0, 1.0), out);
+  tell(step, j, share_of(step.chain(0, vertices()), j, s), out);
 }
 
 void Thread::strand_line(const Step& step, std::span<double> p_W, std::span<uint32_t> parted) {
@@ -82,8 +91,7 @@ void Thread::strand_line(const Step& step, std::span<double> p_W, std::span<uint
   for (int i = 0, j = 0; i < n; ++i) {
     const double s = params_.length * i / (n - 1);
     while (j < last && !(s < chain.s[at(j + 1)])) ++j;
-    const double share = std::clamp((s - chain.s[at(j)]) / (chain.s[at(j + 1)] - chain.s[at(j)]), 0.0, 1.0);
-    Eigen::Map<Vec3>(p_W.data() + 3 * i) = state.node(j) + share * state.edge(j);
+    Eigen::Map<Vec3>(p_W.data() + 3 * i) = state.node(j) + share_of(chain, j, s) * state.edge(j);
     parted[at(i)] = chain.radius[at(j)] == 0 ? 1 : 0;
   }
 }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <thread>
 #include <utility>
 
 namespace swage::test {
@@ -60,7 +61,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   card.seed = 7;
   card.view = script.view;
   card.objects = {{"holder", "swage.object.jaws", "1.0.0", {"swage.trait.gripper/1"}, 0, 2, 0, 0},
-                  {"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1"}, 2, 1, 0, 0}};
+                  {"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1", script.with_needle ? "swage.trait.piercing/1" : "swage.trait.solid/1"}, 2, 1, 0, 0}};
   if (script.with_grasp) card.objects.push_back({"tissue", "swage.object.tissue", "1.0.0", {"swage.trait.pierceable/1"}, 0, 0, 0, 0});
   if (with_thread) card.objects.push_back({"thread", "swage.object.thread", "1.0.0", {}, 0, 0, 0, 60});
   card.devices = {
@@ -150,6 +151,11 @@ class FakeSession final : public session::Session {
   }
   bool finished() const override { return aborted_ || (script_.end_s > 0 && now() >= script_.end_s); }
   void wait() override {}
+  bool pull_knot(uint64_t, session::PullProgress& out) override {
+    if (pulled_ < script_.pulls) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    out = {0.1 * pulled_ / std::max(1, script_.pulls), 0.1};
+    return ++pulled_ <= script_.pulls;
+  }
   bool change(const std::string& instance, const std::string& json, base::Problems&) override {
     log_->changed.push_back(instance + " " + json);
     return false;
@@ -299,6 +305,7 @@ class FakeSession final : public session::Session {
   Clock::time_point since_{};
   double before_ = 0;
   bool running_ = false, paused_ = false, aborted_ = false;
+  int pulled_ = 0;  // calls of pull_knot()
   uint32_t told_ = 0;
   bool gap_told_ = false, drop_told_ = false, put_back_ = false;
 };

@@ -30,7 +30,9 @@ struct FakeScript {
   std::string view;           // from where the lesson is looked at first
   bool two_hands = false;     // a second mouse device: Tab switches between them
   bool with_grasp = false;  // measures whether the needle is held, and has tissue to drive it into
+  bool with_needle = true;  // what lies there pierces tissue
   double drop_s = 0;        // with with_grasp: time at which the needle is dropped; 0: never
+  int pulls = 0;           // calls in which its knot is pulled, once it has ended; from 0 to 100 mN
   bool with_gap = false;  // the simulation skipped time once
   std::string refuse;     // non-empty: open() fails with this problem
   std::string refuse_record;  // non-empty: open() fails with this problem unless the attempt is not to be stored

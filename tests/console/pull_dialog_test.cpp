@@ -7,9 +7,11 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QTableView>
+#include <algorithm>
 #include <cmath>
 
 #include "console/app/language.hpp"
+#include "console/link/run_control.hpp"
 #include "console/pages/pull_dialog.hpp"
 #include "console/view3d/scene_view.hpp"
 #include "console/widgets/parts.hpp"
@@ -222,6 +224,42 @@ TEST_F(PullPages, WhereNoLessonReadsKnotsThereIsNothingToPull) {
   ASSERT_TRUE(review()->isVisible());
   EXPECT_FALSE(child<QPushButton>("review_pull")->isVisible());
   QTest::keyClick(review()->timeline(), Qt::Key_K);  // does nothing
+}
+
+// once an attempt has been passed, where its lesson asks for it
+TEST_F(PullPages, AKnotIsPulledBeforeTheResultIsShown) {
+  script.rate = 100;
+  script.pulls = 30;
+  open();
+  QVector<double> bears;
+  bool result_open = false;
+  QObject::connect(control(), &console::RunControl::pulling, window.get(), [&](double bears_N, double load_N) {
+    EXPECT_EQ(load_N, 0.1);
+    bears += bears_N;
+    result_open = result_open || page()->result()->isVisible();
+  });
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  ASSERT_FALSE(bears.isEmpty());
+  EXPECT_TRUE(std::is_sorted(bears.begin(), bears.end()));
+  EXPECT_FALSE(result_open);
+  EXPECT_EQ(page()->result()->outcome(), "✓ Passed");
+}
+
+// a pull that would never end
+TEST_F(PullPages, StopEndsThePull) {
+  script.rate = 100;
+  script.pulls = 1 << 30;
+  open();
+  bool pulled = false;
+  QObject::connect(control(), &console::RunControl::pulling, window.get(), [&] { pulled = true; });
+  click("start");
+  ASSERT_TRUE(eventually([&] { return pulled; }));
+  QTest::keyClick(window.get(), Qt::Key_F6);  // no pause of what is over
+  EXPECT_EQ(control()->state(), console::RunControl::State::kRunning);
+  EXPECT_EQ(log->paused, 0);
+  click("stop");
+  EXPECT_EQ(page()->result()->outcome(), "✓ Passed");
 }
 
 }  // namespace

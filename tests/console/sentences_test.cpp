@@ -11,6 +11,7 @@
 #include "console/models/said.hpp"
 #include "console/models/sentence_words.hpp"
 #include "host/units.hpp"
+#include "judge/pull_rule.hpp"
 #include "sensor/sentences.hpp"
 #include "sentence_catalogue.hpp"
 #include "session/sentences.hpp"
@@ -64,6 +65,8 @@ TEST_F(HostSentences, EachThatReachesAPersonIsGerman) {
   EXPECT_GT(seen, 250);
   EXPECT_GT(all_german("devices/sensor"), 50) << "the calibration of a jaw sensor, which the window makes itself";
   for (const auto& field : base::kSolverHealthFields) EXPECT_NE(console::said(std::string(field.doc)).toStdString(), field.doc);
+  for (const judge::PullMetric& m : judge::kPullMetrics)
+    for (const char* text : {m.title, m.doc}) EXPECT_NE(console::said(std::string(text)).toStdString(), text);
   for (const char* dimension : {"a length", "a force", "an angle"}) EXPECT_NE(console::said(std::string(dimension)).toStdString(), dimension);
 }
 

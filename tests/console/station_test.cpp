@@ -37,6 +37,7 @@ class ArmSession final : public session::Session {
   void stop() override {}
   bool finished() const override { return false; }
   void wait() override {}
+  bool pull_knot(uint64_t, session::PullProgress&) override { return false; }
   void pointer(const swage_pointer&) override {}
   bool latest(snapshot::Snapshot& out) const override {
     out.n_device = 1;

@@ -176,6 +176,20 @@ TEST_F(Trainee, AControlIsToldWhenItIsNeededAndUntilItWasUsed) {
   ASSERT_TRUE(eventually([&] { return advice().isEmpty(); }));
 }
 
+// as in 131, where a thread lies in tissue: keys go along no needle
+TEST_F(Trainee, WithoutANeedleNobodyIsSentToTheSide) {
+  script.with_grasp = true;
+  script.end_s = 0;
+  open();
+  for (const bool needle : {true, false}) {
+    script.with_needle = needle;
+    click("start");
+    ASSERT_TRUE(wait_for_time(0.1));
+    EXPECT_EQ(page()->view()->control_hints().side > 0, needle);
+    click("stop");
+  }
+}
+
 TEST_F(Trainee, AfterADropItIsSaidHowTheNeedleComesBack) {
   script.with_grasp = true;
   script.drop_s = 4.5;

@@ -217,6 +217,21 @@ TEST(LessonFile, TheWordsOfItsResetFitAButton) {
   EXPECT_THAT(said(R"("Lay anew")"), HasSubstr("the reset of a lesson"));
 }
 
+TEST(LessonFile, ThePullOfAKnot) {
+  EXPECT_EQ(with(R"("seed": 1)").file.pull.load, 0) << "none";
+  const Read r = with(R"("pull": {"load": "100 mN", "points": 30})");
+  ASSERT_THAT(r.said, IsEmpty());
+  EXPECT_DOUBLE_EQ(r.file.pull.load, 0.1);
+  EXPECT_EQ(r.file.pull.points, 30);
+  EXPECT_EQ(with(R"("pull": {"load": 0.3})").file.pull.points, 0);
+  EXPECT_THAT(with(R"("pull": {"points": 30})").said, ElementsAre(HasSubstr(say::kMissing("load"))));
+  EXPECT_THAT(with(R"("pull": {"load": "0 N"})").said, ElementsAre(HasSubstr("load")));
+  EXPECT_THAT(with(R"("pull": {"load": "0.1 mm"})").said, ElementsAre(HasSubstr("load")));
+  EXPECT_THAT(with(R"("pull": {"load": "0.1 N", "points": 61})").said, ElementsAre(HasSubstr("points")));
+  EXPECT_THAT(with(R"("pull": {"load": "0.1 N", "lod": 1})").said, ElementsAre(HasSubstr("lod")));
+  EXPECT_THAT(with(R"("pull": "0.1 N")").said, Not(IsEmpty()));
+}
+
 TEST(LessonFile, MirrorModeAndCues) {
   const Read usual = with(R"("seed": 1)");
   EXPECT_FALSE(usual.file.mirror);
