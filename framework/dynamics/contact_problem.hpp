@@ -31,6 +31,7 @@ struct ContactWorkspace {
   bool skipped = false;  // no flexible body has been asked about it
   bool needed = false;   // asked about only because its block has no other point
   bool bore = false;     // bore force in the last step
+  double normal_before = 0;  // N, of that force
   bool dropped = false;  // has no room in its island
   uint32_t constraint = scene::kNone;
   contact::Touch found;  // gap, place and normal of the shapes when the step began
@@ -55,6 +56,7 @@ struct IslandWorkspace {
   uint32_t passes = 0;
   double relaxation = 1;  // share taken of the last linear problem's step
   bool converged = false, limits_hold = true, held = false, done = false;
+  bool begins_anew = false, began_anew = false;  // in the next pass, with the limits of the last step; once
   double remaining = 0;                          // m, the part of that step that was not taken
   bool tied = false;                             // ties are among its constraints
   bool own = false;                              // flexible bodies other than bands are among its blocks

@@ -38,8 +38,11 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
 void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<FlexibleBody* const> self, Stats& stats) noexcept {
   solver_.begin_step(options_.budget);
-  for (size_t i = 0; i < std::min(p_.contact.size(), contacts.contact.size()); ++i)
-    p_.contact[i].bore = !contacts.contact[i].f_a_W.isZero(0);
+  for (size_t i = 0; i < std::min(p_.contact.size(), contacts.contact.size()); ++i) {
+    const contact::Contact& c = contacts.contact[i];
+    p_.contact[i].bore = !c.f_a_W.isZero(0);
+    p_.contact[i].normal_before = c.n_W.dot(c.f_a_W);
+  }
   begin(world, motion, contacts, ties, self, false);
   const bool moved = iterate(contacts, stats);
   if (!points_.missed_contact(contacts, moved)) return finish(motion, contacts, stats);
@@ -159,7 +162,7 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
     if (island.done) continue;
     const bool all_the_way =
         island.relaxation == 1 || (island.tied && island.remaining <= p_.scales.converged);
-    island.done = island.converged && all_the_way && island.geometry_error <= kGeometry * p_.scales.converged;
+    island.done = ends(island, island.converged && all_the_way && island.geometry_error <= kGeometry * p_.scales.converged);
     // contacts at the edge of a feature can alternate between two states: no later pass is better
     if (island.passes > (island.tied ? kPasses : kFreePasses) &&
         !(island.geometry_error < 0.5 * island.last_errors[1])) {
@@ -188,6 +191,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   const bool forces = island.own || (island.banded && island.constraints <= few_);
   const Island problem{islands_.blocks(island), constraints, island.unknowns, forces, island.banded};
   const Limits limits = island.passes < kFreePasses && !island.held ? Limits::kCoulomb : Limits::kHeld;
+  if (island.begins_anew) begin_with_last_limits(constraints, island);
   ++island.passes;
   const Outcome outcome = solver_.solve(problem, p_.scales, limits);
   relax(island);
@@ -210,13 +214,28 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   island.converged = outcome.converged;
   island.limits_hold = outcome.limits_hold;
   island.held = island.held || outcome.held;
-  island.done = outcome.converged && outcome.moved <= kGeometry * p_.scales.converged;
+  island.done = ends(island, outcome.converged && outcome.moved <= kGeometry * p_.scales.converged);
   if (island.done)
     for (Constraint& constraint : constraints) constraint.at = constraint.u;
   ++stats.islands;
   stats.newton += outcome.newton;
   stats.fallbacks += outcome.fell_back;
   stats.rounds += outcome.rounds;
+}
+
+/// Whether an island is done. One that has come to an end with limits that do not hold begins anew with those of the last step, once. A light wire
+/// that slides by its own radius within a step lifts a heavy jaw in a pass, and the limits of that pass hold half as much again as the grip does.
+/// Islands whose limits are held from the first pass on have those of the start. Forces of threads change too much from step to step.
+bool ContactSolve::ends(IslandWorkspace& island, bool settled) noexcept {
+  if (!settled || island.limits_hold || island.held || island.banded || island.began_anew) return settled;
+  island.begins_anew = island.began_anew = true;
+  return false;
+}
+
+void ContactSolve::begin_with_last_limits(std::span<Constraint> constraints, IslandWorkspace& island) noexcept {
+  island.begins_anew = false;
+  for (Constraint& c : constraints)
+    if (!c.tie && p_.contact[c.contact].normal_before > 0) c.limit = c.surface.mu * p_.contact[c.contact].normal_before;
 }
 
 /// Moves a flexible body by the forces of its constraints, which it will get as impulses.

@@ -38,6 +38,8 @@ class ContactSolve {
   void solve_island(contact::ContactSet& contacts, IslandWorkspace& island, Stats& stats) noexcept;
   const double* jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W,
                          Constraint& constraint) noexcept;
+  bool ends(IslandWorkspace& island, bool settled) noexcept;
+  void begin_with_last_limits(std::span<Constraint> constraints, IslandWorkspace& island) noexcept;
   void relax(IslandWorkspace& island) noexcept;
   void move_flexible(uint32_t block, std::span<const Constraint> constraints, double relaxation) noexcept;
   bool refresh(contact::ContactSet& contacts) noexcept;

@@ -82,7 +82,7 @@ struct Outcome {
 /// How friction limits are found.
 enum class Limits : uint8_t {
   kCoulomb,  // mu f_n
-  kHeld,     // those of the last pass: convex, so that passes do not alternate
+  kHeld,     // Constraint::limit as it stands: convex, so that passes do not alternate
 };
 
 /// True when a tangent is not zero: its constraint resists.

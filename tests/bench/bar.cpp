@@ -13,6 +13,7 @@ const std::vector<Goal>& goals() {
   static const std::vector<Goal> all = {{"G1", bar_queries},
                                         {"G2", bar_grasp},
                                         {"G3", bar_pinch},
+                                        {"G3-slip", bar_slip},
                                         {"G6", bar_free},
                                         {"G7", bar_tunnel},
                                         {"G7-speed", bar_swept},

@@ -69,6 +69,7 @@ std::vector<Line> bar_table_61(const Effort&);   // the thesis's chain and tree
 std::vector<Line> bar_table_62(const Effort&);   // the thesis's loop
 std::vector<Line> bar_grasp(const Effort&);      // G2, S04 to S06
 std::vector<Line> bar_pinch(const Effort&);      // G3
+std::vector<Line> bar_slip(const Effort&);       // G3-slip, no times
 std::vector<Line> bar_creep(const Effort&);      // grasp: 20 % more grip than the pull needs, and 20 % less
 std::vector<Line> bar_free(const Effort&);       // G6
 std::vector<Line> bar_tunnel(const Effort&);     // G7, accuracy

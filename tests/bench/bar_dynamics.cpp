@@ -116,7 +116,7 @@ void slip_onsets(std::vector<Line>& lines, const Setup& s, double grip, const st
                                         {"about the wire:", Pull::kAboutWire},
                                         {"about the jaws' normal:", Pull::kAboutNormal}}) {
     const PullResult r = pull(ours(), s, grip, direction);
-    lines.push_back(within("G3", std::string(name) + " slip onset" + at, "1", r.onset, 0.98, 1.02,
+    lines.push_back(within("G3-slip", std::string(name) + " slip onset" + at, "1", r.onset, 0.98, 1.02,
                            "creep at half of it " + std::to_string(r.creep * kMicro).substr(0, 6) + " um"));
   }
 }
@@ -130,13 +130,26 @@ std::vector<Line> bar_pinch(const Effort& effort) {
     s.jaw_mass = mass;
     const std::string jaw = mass < 0.01 ? " (5 g jaw)" : " (100 g jaw)";
     range_of_grips(lines, s, jaw, effort.passes);
-    s.needle.straight = true;
-    for (double grip : {1e-3, 1e-2, 0.1, 1.0}) slip_onsets(lines, s, grip, jaw);
   }
   for (const auto& [name, needle] : other_needles()) {
     Setup s;
     s.needle = needle;
     range_of_grips(lines, s, " (" + name + ")", effort.passes);
+  }
+  return lines;
+}
+
+std::vector<Line> bar_slip(const Effort&) {
+  std::vector<Line> lines;
+  for (double mass : {5e-3, 0.1}) {
+    Setup s;
+    s.jaw_mass = mass;
+    s.needle.straight = true;
+    for (double grip : {1e-3, 1e-2, 0.1, 1.0}) slip_onsets(lines, s, grip, mass < 0.01 ? " (5 g jaw)" : " (100 g jaw)");
+  }
+  for (const auto& [name, needle] : other_needles()) {
+    Setup s;
+    s.needle = needle;
     s.needle.straight = true;
     slip_onsets(lines, s, 0.1, " (" + name + ")");
   }
