@@ -22,7 +22,7 @@ class ValueWords {
 int decimals_of(double shown, const QString& unit, bool small) {
   const double size = std::abs(shown);
   if (small && unit.startsWith(QChar(0xb5))) return size < 10 ? 1 : 0;
-  if (small) return 2;
+  if (small) return size < 10 ? 2 : 1;
   const bool whole = unit.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
   if (whole) return 0;
   // a pure number below 0.1 has two significant digits

@@ -158,8 +158,8 @@ void AttemptPresenter::end(double simulated_s, const QString& banner) {
 
 void AttemptPresenter::show_pulling(double bears_N, double load_N) {
   const snapshot::Snapshot* newest = control_->newest();
-  const auto mN = [](double N) { return with_unit(QLocale().toString(1e3 * N, 'f', 0), "mN"); };
-  set_texts(clock_text(newest ? newest->time_s : 0), tr("The knot is being pulled: %1 of %2").arg(mN(bears_N), mN(load_N)));
+  const auto mN = [](double N) { return QLocale().toString(1e3 * N, 'f', 0); };
+  set_texts(clock_text(newest ? newest->time_s : 0), tr("Pulling the knot: %1 of %2").arg(mN(bears_N), with_unit(mN(load_N), "mN")));
 }
 
 const SceneView* AttemptPresenter::trainees_view() const {

@@ -293,7 +293,7 @@ void ResultPanel::show_seen(const session::Result& r) {
   clear();
   add_line(metrics_, tr("Time"), clock_text(r.simulated_s), {});
   for (const session::Result::Metric& m : r.metrics) {
-    if (std::isfinite(m.value))
+    if (std::isfinite(m.value) && metric_show(QString::fromStdString(m.id)) != SWAGE_SHOW_POINTS)
       add_line(metrics_, metric_title(QString::fromStdString(m.id)), quantity_text(m.value, QString::fromStdString(m.unit)),
                said(m.doc));
   }

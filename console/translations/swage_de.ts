@@ -1329,8 +1329,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Angehalten</translation>
     </message>
     <message>
-        <source>The knot is being pulled: %1 of %2</source>
-        <translation>Am Knoten wird gezogen: %1 von %2</translation>
+        <source>Pulling the knot: %1 of %2</source>
+        <translation>Zug am Knoten: %1 von %2</translation>
     </message>
 </context>
 <context>

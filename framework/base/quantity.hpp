@@ -52,7 +52,7 @@ inline Shown shown_unit(double value, std::string_view unit) {
   if (size == 0) return usual_unit(unit);
   if (unit == "m" && size < 1e-4) return {1e6, "um"};     // a wire's width and less
   if (unit == "m2" && size < 1e-8) return {1e12, "um2"};  // its square
-  if (unit == "N" && size < 0.01) return {1e3, "mN"};     // what a thread bears
+  if (unit == "N" && size < 0.1) return {1e3, "mN"};      // what a thread and its knot bear
   return usual_unit(unit);
 }
 

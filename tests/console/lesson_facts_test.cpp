@@ -178,7 +178,7 @@ TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
   const QTemporaryDir dir;
   const auto said = [&](const char* params) { return read_criteria(lesson(dir, params, "org.example.draws"), all).pass; };
   EXPECT_EQ(said("{}"), QStringList({QStringLiteral("At least 0.1%1mN.").arg(QChar(0x202f))}));
-  EXPECT_EQ(said(R"({"draw": "0.02 N"})"), QStringList({QStringLiteral("At least 0.02%1N.").arg(QChar(0x202f))}));
+  EXPECT_EQ(said(R"({"draw": "0.02 N"})"), QStringList({QStringLiteral("At least 20%1mN.").arg(QChar(0x202f))}));
   EXPECT_EQ(said(R"({"draw": "0 N"})"), QStringList({QStringLiteral("At least 0%1N.").arg(QChar(0x202f))}));
   EXPECT_EQ(said(R"({"draw": "36000 N"})"), QStringList({QStringLiteral("At least 36000%1N.").arg(QChar(0x202f))})) << "and not 3.6E+04";
 }

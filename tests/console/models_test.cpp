@@ -52,7 +52,8 @@ TEST(Words, SayUnitsAndVerdicts) {
   EXPECT_EQ(quantity_text(3, "1"), "3");
   EXPECT_EQ(quantity_text(0.25, "1"), "0.25");
   EXPECT_EQ(quantity_text(0.00035, "N"), QString("0.35") + QChar(0x202f) + "mN");
-  EXPECT_EQ(quantity_text(0.012, "N"), QString("0.01") + QChar(0x202f) + "N");
+  EXPECT_EQ(quantity_text(0.12, "N"), QString("0.12") + QChar(0x202f) + "N");
+  EXPECT_EQ(quantity_text(0.012, "N"), QString("12.0") + QChar(0x202f) + "mN");
   EXPECT_EQ(quantity_text(0.00013, "1"), "0.00013");
   EXPECT_EQ(quantity_text(1e-12, "1"), "0") << "a count, but for rounding";
   EXPECT_EQ(quantity_text(-5e-12, "m"), quantity_text(0, "m")) << "two points that coincide";

@@ -29,8 +29,8 @@ TEST(Quantity, SmallValuesAreToldInASmallerUnit) {
   for (const double sign : {1.0, -1.0}) {
     EXPECT_EQ(unit(sign * 2e-4, "m"), "mm");
     EXPECT_EQ(unit(sign * 2e-5, "m"), "um");
-    EXPECT_EQ(unit(sign * 0.02, "N"), "N");
-    EXPECT_EQ(unit(sign * 0.002, "N"), "mN");
+    EXPECT_EQ(unit(sign * 0.2, "N"), "N");
+    EXPECT_EQ(unit(sign * 0.02, "N"), "mN");
     EXPECT_EQ(unit(sign * 2e-8, "m2"), "mm2");
     EXPECT_EQ(unit(sign * 7.9e-9, "m2"), "um2");
   }
