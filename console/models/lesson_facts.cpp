@@ -11,6 +11,7 @@
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
+#include "judge/pull_rule.hpp"
 
 namespace swage::console {
 
@@ -24,6 +25,7 @@ class LessonWords {
 struct Judged {
   const host::PluginInfo* plugin = nullptr;  // nullptr: the file or the plugin cannot be read
   host::ParamValues values;
+  judge::PullRule pull;  // of its knot, by the program
 
   /// nullptr where the plugin has no such parameter.
   const host::Param* find(const std::string& id, const swage_value** value) const {
@@ -54,6 +56,7 @@ Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalo
   Judged out;
   if (!host::check_params(lesson.lesson.params, plugin->params, source, out.values, problems)) return {};
   out.plugin = plugin;
+  out.pull = lesson.pull;
   return out;
 }
 
@@ -138,6 +141,15 @@ QString sentence(const Judged& lesson, const std::string& text) {
   return out + form.mid(at);
 }
 
+/// What the program's pull of the knot asks for.
+QString pull_sentence(const judge::PullRule& pull) {
+  const QString load = with_unit(QLocale().toString(1e3 * pull.load, 'g', 4), "mN");
+  if (pull.points == 0) return LessonWords::tr("At the end the program pulls a copy of the knot, up to %1, and tells what it bears.").arg(load);
+  return LessonWords::tr("At the end the program pulls a copy of the knot, up to %1: what it does not bear of that costs up to %L2 points.").arg(load).arg(pull.points);
+}
+
+const std::string kPullBears = judge::kPullMetrics[judge::kPullBears].id;
+
 }  // namespace
 
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue) {
@@ -154,6 +166,7 @@ MetricTarget metric_target(const std::string& lesson_path, const std::string& me
                            const host::Catalogue& catalogue) {
   const Judged lesson = read_judged(lesson_path, catalogue);
   if (!lesson.plugin) return {};
+  if (metric_id == kPullBears && lesson.pull.load > 0) return {lesson.pull.load, {}};
   for (const host::MetricInfo& m : lesson.plugin->metrics)
     if (m.id == metric_id) return {limit(lesson, m.least, 0), limit(lesson, m.most, 1)};
   return {};
@@ -165,12 +178,18 @@ std::map<std::string, MetricTarget> metric_targets(const std::string& lesson_pat
   if (!lesson.plugin) return out;
   for (const host::MetricInfo& m : lesson.plugin->metrics)
     if (const MetricTarget target{limit(lesson, m.least, 0), limit(lesson, m.most, 1)}; target != MetricTarget()) out[m.id] = target;
+  if (lesson.pull.load > 0) out[kPullBears] = {lesson.pull.load, {}};
   return out;
 }
 
 std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, const host::Catalogue& catalogue) {
   const Judged lesson = read_judged(lesson_path, catalogue);
-  return lesson.plugin ? lesson.plugin->metrics : std::vector<host::MetricInfo>();
+  if (!lesson.plugin) return {};
+  std::vector<host::MetricInfo> all = lesson.plugin->metrics;
+  if (lesson.pull.load > 0)
+    for (const judge::PullMetric& m : judge::kPullMetrics)
+      all.push_back({m.id, m.unit, m.doc, m.formula, "", m.better, SWAGE_EVIDENCE_D, m.title, m.show, m.rank, "", ""});
+  return all;
 }
 
 Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& catalogue) {
@@ -185,6 +204,7 @@ Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& ca
     if (c.kind == SWAGE_CRITERION_POINTS) out.points += text;
     if (c.kind == SWAGE_CRITERION_SHOW) out.show = true, out.pass += text;
   }
+  if (lesson.pull.load > 0) out.points += pull_sentence(lesson.pull);
   const swage_value* value = nullptr;
   const host::Param* p = lesson.find("max_time", &value);
   if (p && p->unit == "s") out.max_time_s = value->number[0];

@@ -962,6 +962,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
+    <message>
+        <source>At the end the program pulls a copy of the knot, up to %1, and tells what it bears.</source>
+        <translation>Am Ende zieht das Programm an einer Kopie des Knotens, bis %1, und sagt, was er hält.</translation>
+    </message>
+    <message>
+        <source>At the end the program pulls a copy of the knot, up to %1: what it does not bear of that costs up to %L2 points.</source>
+        <translation>Am Ende zieht das Programm an einer Kopie des Knotens, bis %1: was er davon nicht hält, kostet bis zu %L2 Punkte.</translation>
+    </message>
 </context>
 <context>
     <name>metric_bars</name>

@@ -76,7 +76,7 @@ class Grid {
     for (const double y : p.y) mean_ += y / count_;
     for (const double y : p.y) y1_ += y - mean_, yy_ += (y - mean_) * (y - mean_);
     for (int k = 0; k < kGrid; ++k) {
-      Sums& at = sums_[k];
+      Sums& at = sums_[static_cast<std::size_t>(k)];
       for (std::size_t i = 0; i < p.y.size(); ++i) {
         const double g = shape(law, p.n[i], c(k));
         at.g1 += g, at.gg += g * g, at.gy += g * (p.y[i] - mean_);
@@ -89,7 +89,7 @@ class Grid {
   double after(int k) const { return std::log(low_) + step_ * std::min(k + 1, kGrid - 1); }
   // To some 16 digits of the sum of squares about the level: enough to choose, too little for the fit of an exact curve.
   double rss_at_level(int k, double level) const {
-    const Sums& at = sums_[k];
+    const Sums& at = sums_[static_cast<std::size_t>(k)];
     const double a = level - mean_;
     const double gy = at.gy - a * at.g1, b = at.gg > 0 ? gy / at.gg : 0;
     return yy_ - 2 * a * y1_ + count_ * a * a - b * gy;

@@ -5,6 +5,8 @@
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <fstream>
+#include <iterator>
 
 #include "console/models/said.hpp"
 
@@ -121,6 +123,23 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   // the tilt of 0 stands for any: its criterion is off, and nothing is asked
   EXPECT_EQ(metric_target(limit, "grasp.tilt", limits()), MetricTarget{});
   EXPECT_EQ(metric_target(lesson(dir, R"({"max_tilt": "0.5 rad"})", "org.example.limits"), "grasp.tilt", limits()), (MetricTarget{{}, 0.5}));
+}
+
+// A knot that the program pulls: told before the attempt, drawn as a limit, and open to limits of one's own.
+TEST(LessonFacts, ThePullOfAKnotIsAsked) {
+  const QTemporaryDir dir;
+  const std::string none = lesson(dir, "{}", "org.example.limits"), file = dir.filePath("pulled.json").toStdString();
+  EXPECT_FALSE(metric_targets(none, limits()).contains("knot.bears"));
+  std::ifstream in(none);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto with = [&](const std::string& pull) {
+    std::ofstream(file) << "{\"pull\": " << pull << ", " << text.substr(text.find('{') + 1);
+    return read_criteria(file, limits()).points;
+  };
+  EXPECT_EQ(with(R"({"load": "0.1 N"})").last(), QStringLiteral("At the end the program pulls a copy of the knot, up to 100%1mN, and tells what it bears.").arg(QChar(0x202f)));
+  EXPECT_TRUE(with(R"({"load": "0.1 N", "points": 30})").last().endsWith("costs up to 30 points."));
+  EXPECT_EQ(metric_target(file, "knot.bears", limits()), (MetricTarget{0.1, {}}));
+  EXPECT_EQ(lesson_metrics(file, limits()).size(), lesson_metrics(none, limits()).size() + 3);
 }
 
 // Criteria contain the lesson's own values.
