@@ -21,9 +21,9 @@ namespace {
 
 // rank of a signal in an instructor's view, best first
 int rank(const judge::Name& signal) {
-  static const QStringList kWords = {"grasp.force", "grip.force", "pierce.force", "cosine", "stress",
-                                     "spot",        "tilt_axis",  "tilt_plane",   "tilt",   "depth",
-                                     "angle",       "force",      "bend",         "reach"};
+  static const QStringList kWords = {"grasp.force", "grip.force", "pierce.force", "knot.throws", "winding.turns", "pull.tension",
+                                     "cosine",      "stress",     "spot",         "tilt_axis",   "tilt_plane",    "tilt",
+                                     "depth",       "angle",      "force",        "bend",        "reach"};
   const QString id = qt(signal.id);
   for (int i = 0; i < kWords.size(); ++i) {
     if (id.contains(kWords[i])) return i;

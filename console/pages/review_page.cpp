@@ -42,7 +42,7 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   upper->addWidget(make_view(), 3);
   side_ = new ReviewSide(this);
   upper->addWidget(side_, 2);
-  rows->addLayout(upper, 5);
+  rows->addLayout(upper, 7);
   timeline_ = new Timeline(full);
   timeline_->setProperty("card", true);
   rows->addWidget(timeline_, 4);

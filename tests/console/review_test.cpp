@@ -33,6 +33,18 @@ TEST(ReviewModel, TracesHaveRoundAxesInReadableUnitsAndTheImportantOnesComeFirst
   EXPECT_DOUBLE_EQ(review.length_s, 2.0);
 }
 
+// of a knot its throws, before the tilts of what is held
+TEST(ReviewModel, WhatIsTiedComesBeforeTilts) {
+  record::Recording r = test::fake_recording(2000);
+  const size_t n = r.info.script.signals.size();
+  r.info.script.signals[n - 1] = {"knot", "knot.throws", "1", "Throws that are tied."};
+  for (size_t i = 0; i < r.step.size(); ++i) r.signal[n * i + n - 1] = i < 1000 ? 0.0F : 1.0F;
+  const Review review = make_review(test::fake_attempt(), r, test::fake_events());
+  EXPECT_EQ(review.traces[0].name, "Grasp force");
+  EXPECT_EQ(review.traces[1].name, "Knot throws");
+  EXPECT_TRUE(review.traces[1].wanted);
+}
+
 TEST(ReviewModel, TwoTracesShareAScaleWithoutNumbersOfNoMeaning) {
   Trace a, b;
   a.low = -4, a.high = 0;
