@@ -11,6 +11,7 @@
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
+#include "host/pull_metrics.hpp"
 #include "judge/pull_rule.hpp"
 
 namespace swage::console {
@@ -186,9 +187,7 @@ std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, con
   const Judged lesson = read_judged(lesson_path, catalogue);
   if (!lesson.plugin) return {};
   std::vector<host::MetricInfo> all = lesson.plugin->metrics;
-  if (lesson.pull.load > 0)
-    for (const judge::PullMetric& m : judge::kPullMetrics)
-      all.push_back({m.id, m.unit, m.doc, m.formula, "", m.better, SWAGE_EVIDENCE_D, m.title, m.show, m.rank, "", ""});
+  if (lesson.pull.load > 0) all.insert(all.end(), host::pull_metrics().begin(), host::pull_metrics().end());
   return all;
 }
 

@@ -6,7 +6,7 @@
 
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
-#include "judge/pull_rule.hpp"
+#include "host/pull_metrics.hpp"
 
 namespace swage::console {
 namespace {
@@ -31,23 +31,19 @@ QHash<QString, Label>& labels() {
   return all;
 }
 
+void learn(const std::vector<host::MetricInfo>& metrics) {
+  for (const host::MetricInfo& m : metrics) {
+    const QString id = QString::fromStdString(m.id);
+    if (!m.title.empty() && !labels().contains(id)) labels().insert(id, {m.title, m.show});
+    if (m.evidence != SWAGE_EVIDENCE_NONE && !cards().contains(id)) cards().insert(id, {m.better, QString::fromStdString(m.formula)});
+  }
+}
+
 }  // namespace
 
 void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
-  for (const host::PluginInfo& plugin : plugins) {
-    for (const host::MetricInfo& m : plugin.metrics) {
-      const QString id = QString::fromStdString(m.id);
-      if (!m.title.empty() && !labels().contains(id))
-        labels().insert(id, {m.title, m.show});
-      if (m.evidence != SWAGE_EVIDENCE_NONE && !cards().contains(id))
-        cards().insert(id, {m.better, QString::fromStdString(m.formula)});
-    }
-  }
-  // those of the host's own
-  for (const judge::PullMetric& m : judge::kPullMetrics) {
-    labels().insert(QLatin1String(m.id), {m.title, m.show});
-    cards().insert(QLatin1String(m.id), {m.better, QLatin1String(m.formula)});
-  }
+  learn(host::pull_metrics());
+  for (const host::PluginInfo& plugin : plugins) learn(plugin.metrics);
 }
 
 QString metric_title(const QString& id) {

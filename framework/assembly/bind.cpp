@@ -10,8 +10,8 @@
 #include "assembly/sentences.hpp"
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
+#include "host/pull_metrics.hpp"
 #include "judge/host_events.hpp"
-#include "judge/pull_rule.hpp"
 #include "snapshot/snapshot.hpp"
 #include "toolkit/height_field.hpp"
 #include "toolkit/mirror.hpp"
@@ -262,12 +262,11 @@ void mirror(snapshot::SceneCard& card) {
   }
 }
 
-/// What the card says of a metric: of a pull of the host's, or of the lesson's plugin.
+/// What the card of its owner says of a metric.
 snapshot::CardMetric card_metric(const judge::Name& metric, const host::PluginInfo* plugin) {
-  for (const judge::PullMetric& m : judge::kPullMetrics)
-    if (metric.owner == judge::kHostOwner && m.id == metric.id) return {m.better, SWAGE_EVIDENCE_D, "", m.formula, m.title, m.show, m.rank};
-  if (plugin == nullptr || metric.owner == judge::kHostOwner) return {};
-  for (const host::MetricInfo& m : plugin->metrics)
+  const bool of_host = metric.owner == judge::kHostOwner;
+  if (!of_host && plugin == nullptr) return {};
+  for (const host::MetricInfo& m : of_host ? host::pull_metrics() : plugin->metrics)
     if (m.id == metric.id) return {m.better, m.evidence, m.code, m.formula, m.title, m.show, m.rank};
   return {};
 }

@@ -45,6 +45,13 @@ class KnotTestTest : public SessionTest {
     session->wait();
     return session->result();
   }
+  /// An attempt that is over, before its knot is pulled.
+  std::unique_ptr<Session> finished() {
+    auto session = open();
+    session->start();
+    while (!session->finished()) usleep(1000);
+    return session;
+  }
   static double value(const Result& r, const std::string& id) {
     for (const Result::Metric& m : r.metrics)
       if (m.id == id) return m.value;
@@ -85,9 +92,7 @@ TEST_F(KnotTestTest, AnAttemptThatWasNotPassedIsNotPulled) {
 
 TEST_F(KnotTestTest, WhoStopsDuringThePullHasAResultWithoutIt) {
   prepare(kSquare, "50 mN");
-  const auto session = open();
-  session->start();
-  while (!session->finished()) usleep(1000);
+  const auto session = finished();
   PullProgress now;
   EXPECT_TRUE(session->pull_knot(100, now));
   EXPECT_EQ(now.load, 50e-3);
@@ -101,9 +106,7 @@ TEST_F(KnotTestTest, WhoStopsDuringThePullHasAResultWithoutIt) {
 
 TEST_F(KnotTestTest, AStepAtATimeIsTheSame) {
   prepare(kSquare, "50 mN");
-  const auto session = open();
-  session->start();
-  while (!session->finished()) usleep(1000);
+  const auto session = finished();
   PullProgress now;
   double most = 0;
   int calls = 0;
