@@ -11,7 +11,6 @@
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
-#include "host/pull_metrics.hpp"
 #include "judge/pull_rule.hpp"
 
 namespace swage::console {

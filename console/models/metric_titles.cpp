@@ -6,7 +6,6 @@
 
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
-#include "host/pull_metrics.hpp"
 
 namespace swage::console {
 namespace {

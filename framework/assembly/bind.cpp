@@ -10,7 +10,6 @@
 #include "assembly/sentences.hpp"
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
-#include "host/pull_metrics.hpp"
 #include "judge/host_events.hpp"
 #include "snapshot/snapshot.hpp"
 #include "toolkit/height_field.hpp"

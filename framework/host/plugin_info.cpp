@@ -12,6 +12,7 @@
 #include "host/elf_exports.hpp"
 #include "host/guard.hpp"
 #include "host/lesson_card.hpp"
+#include "judge/pull_rule.hpp"
 #include "host/library.hpp"
 #include "host/params_json.hpp"
 #include "host/sentences.hpp"
@@ -215,6 +216,16 @@ bool read_sidecar(const std::string& text, std::string& hash, std::vector<Plugin
     return false;
   }
   return true;
+}
+
+const std::vector<MetricInfo>& pull_metrics() {
+  static const std::vector<MetricInfo> all = [] {
+    std::vector<MetricInfo> out;
+    for (const judge::PullMetric& m : judge::kPullMetrics)
+      out.push_back({m.id, m.unit, m.doc, m.formula, "", m.better, SWAGE_EVIDENCE_D, m.title, m.show, m.rank, "", ""});
+    return out;
+  }();
+  return all;
 }
 
 }  // namespace swage::host

@@ -24,6 +24,8 @@ struct MetricInfo {
   int32_t show = 0, rank = 0;        // SWAGE_SHOW_*; position among the values shown first, 0: on demand
   std::string least, most;           // parameters that hold its required limits, "" for none
 };
+/// The metrics of the pull of a knot (judge/pull_rule.hpp) in the form of a card, in the order of judge::PullMeasure. [main]
+const std::vector<MetricInfo>& pull_metrics();
 struct CueInfo {
   std::string id, doc;
   uint32_t channels = 0;              // SWAGE_CHANNEL_*
