@@ -150,7 +150,8 @@ void Loop::take_command(const step::Command& command) noexcept {
 }
 
 // Movements add up, all other values are the newest. A key that was pressed is down for at least one step: its release waits for the
-// next step, or a short stroke would never be seen.
+// next step, or a short stroke would never be seen. A movement keeps the buttons, modifiers and keys under which it was made: what
+// changes them waits, too, or a drag would lose its end to the release behind it.
 void Loop::take_pointer() noexcept {
   swage_pointer& now = pointer_;
   now.dx = now.dy = now.wheel = 0;
@@ -159,7 +160,9 @@ void Loop::take_pointer() noexcept {
   while (std::exchange(pointer_waits_, false) || pointer_in_.try_pop(p)) {
     const bool short_key = (now.keys & ~before.keys & ~p.keys) != 0;
     const bool short_button = (now.buttons & ~before.buttons & ~p.buttons) != 0;
-    if (short_key || short_button) {
+    const bool moved = now.dx != 0 || now.dy != 0 || now.wheel != 0;
+    const bool other = now.buttons != p.buttons || now.modifiers != p.modifiers || now.keys != p.keys;
+    if (short_key || short_button || (moved && other)) {
       waiting_pointer_ = p;
       pointer_waits_ = true;
       break;

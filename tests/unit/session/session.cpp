@@ -9,10 +9,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "record/store.hpp"
 #include "session/sentences.hpp"
 #include "session_bed.hpp"
+#include "toolkit/math.hpp"
 
 namespace swage::session {
 namespace {
@@ -120,6 +122,62 @@ TEST_F(SessionTest, ThePointerMovesTheToolThroughTheMouse) {
   const double moved =
       std::hypot(after.X_WB[0].p.x - before.X_WB[0].p.x, after.X_WB[0].p.y - before.X_WB[0].p.y);
   EXPECT_NEAR(moved, 0.1 * 10e-3, 1e-5);  // a tenth of 10 mm
+}
+
+// an attempt of the mouse that stands still, with a button and modifiers that were down in a step before
+struct Dragging {
+  Dragging(std::unique_ptr<Session> opened, uint32_t buttons, uint32_t modifiers) : session(std::move(opened)) {
+    session->start();
+    EXPECT_TRUE(session->latest(before));
+    p.camera = {1, 0, 0, 0};
+    p.buttons = buttons;
+    p.modifiers = modifiers;
+    session->pointer(p);
+    session->pause(false);
+    until([&] { return session->latest(after) && after.step >= 64; });
+    session->pause(true);
+    until([&] { return session->latest(after) && after.paused != 0; });
+  }
+  ~Dragging() { session->stop(); }
+  void send(double dx) {
+    p.dx = dx;
+    session->pointer(p);
+  }
+  toolkit::Pose moved() {
+    const uint64_t from = after.step;
+    session->pause(false);
+    until([&] { return session->latest(after) && after.step >= from + 1000; });
+    const toolkit::Pose a(before.X_WB[0]), b(after.X_WB[0]);
+    return {b.p - a.p, b.q * a.q.conjugate()};
+  }
+  std::unique_ptr<Session> session;
+  snapshot::Snapshot before, after;
+  swage_pointer p{};
+};
+
+// the last part of a drag and its release come together when a window was busy with a picture
+TEST_F(SessionTest, TheEndOfADragCountsWithItsRelease) {
+  options.device = "mouse";
+  options.start_paused = true;
+  Dragging drag(open(), 1, 0);
+  drag.send(0.1);
+  drag.p.buttons = 0;
+  drag.send(0);
+  drag.send(0.3);  // without a button it moves nothing
+  EXPECT_NEAR(drag.moved().p.x(), 0.1 * 10e-3, 1e-5);
+}
+
+// control let go before the button: what was dragged until then is a roll about the line of sight, and no turn
+TEST_F(SessionTest, TheEndOfARollIsNoTurn) {
+  options.device = "mouse";
+  options.start_paused = true;
+  Dragging drag(open(), 4, 2);
+  drag.send(0.1);
+  drag.p.modifiers = 0;
+  drag.send(0);
+  const toolkit::Vec3 turned = toolkit::log_rotation(drag.moved().q);
+  EXPECT_NEAR(turned.z(), -0.1 * 2 * std::numbers::pi / 3, 1e-3);
+  EXPECT_NEAR(turned.head<2>().norm(), 0, 1e-3);
 }
 
 // down and up before the next step looks, as a quick finger does it on a slow screen
