@@ -30,7 +30,7 @@ Reader::Reader(const snapshot::SceneCard& card) {
     if (ends_with(s.id, "pierce.angle")) angle_ = i;
     if (ends_with(s.id, "pierce.state")) pierced_ = i;
   }
-  find_tension(script);
+  find_tension(card);
   // counts are shown live; metrics with a unit are shown at the end
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
@@ -58,12 +58,13 @@ Reader::Reader(const snapshot::SceneCard& card) {
 }
 
 // Signals of tension: at the needle that draws the thread; for a stitch without a needle, where lessons limit it, before the first hole
-// and beyond the last; for a thread that is only pulled, its own.
-void Reader::find_tension(const judge::Script& script) {
+// and beyond the last; for a thread without needle and stitch, the end that the lesson's metrics name, or its own greatest. The greatest
+// is also that of the piece between the jaws, which keeps the tension with which they closed on it.
+void Reader::find_tension(const snapshot::SceneCard& card) {
   const auto all = [&](const char* name) {
     QVector<int> out;
-    for (int i = 0; i < static_cast<int>(script.signals.size()); ++i) {
-      const judge::Name& s = script.signals[static_cast<size_t>(i)];
+    for (int i = 0; i < static_cast<int>(card.script.signals.size()); ++i) {
+      const judge::Name& s = card.script.signals[static_cast<size_t>(i)];
       if (s.unit == "N" && ends_with(s.id, name)) out.append(i);
     }
     return out;
@@ -71,10 +72,15 @@ void Reader::find_tension(const judge::Script& script) {
   tension_ = all("swage.tension");
   if (!tension_.isEmpty()) return;
   const QVector<int> before = all("pull.tension_tail"), beyond = all("pull.tension_out");
-  if (!before.isEmpty() && !beyond.isEmpty())
+  if (!before.isEmpty() && !beyond.isEmpty()) {
     tension_ = {before.first(), beyond.last()};
-  else
-    tension_ = all("thread.tension");
+    return;
+  }
+  constexpr const char* kAtEnd = "thread.tension_first";
+  const bool judged = std::any_of(card.metrics.begin(), card.metrics.end(),
+                                  [](const snapshot::CardMetric& m) { return m.formula.find(kAtEnd) != std::string::npos; });
+  if (judged) tension_ = all(kAtEnd);
+  if (tension_.isEmpty()) tension_ = all("thread.tension");
 }
 
 QStringList Reader::meanings(const snapshot::SceneCard& card) {

@@ -56,7 +56,7 @@ class Reader {
     int metric;
     QString name, unit;
   };
-  void find_tension(const judge::Script& script);
+  void find_tension(const snapshot::SceneCard& card);
   QVector<int> force_, held_, tension_;
   int hold_ = -1, angle_ = -1, pierced_ = -1;
   bool grasp_ = false;

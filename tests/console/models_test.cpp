@@ -269,9 +269,12 @@ TEST(Reading, OfSeveralThingsTheOneThatIsHeldIsTold) {
 }
 
 TEST(Reading, TheTensionIsThatOfTheThreadThatIsDrawn) {
-  const auto tension_of = [](const std::vector<judge::Name>& signals) {
+  std::string formula;
+  const auto tension_of = [&](const std::vector<judge::Name>& signals) {
     snapshot::SceneCard card;
     card.script.signals = signals;
+    card.metrics.resize(1);
+    card.metrics[0].formula = formula;
     auto s = std::make_unique<snapshot::Snapshot>();
     s->n_signal = static_cast<uint32_t>(signals.size());
     for (uint32_t i = 0; i < s->n_signal; ++i) s->signal[i] = 1 + i;
@@ -284,6 +287,13 @@ TEST(Reading, TheTensionIsThatOfTheThreadThatIsDrawn) {
   EXPECT_EQ(tension_of({{"near", "pull.tension_tail", "N", ""}, {"far", "pull.tension_out", "N", ""},
                         {"near", "pull.tension_out", "N", ""}, {"far", "pull.tension_tail", "N", ""}, own}), 3)
       << "outside of both holes, not between them";
+  EXPECT_EQ(tension_of({own}), 1);
+  // a piece between jaws that closed on it is tense while the rest is slack: a lesson that judges the end shows the end
+  const judge::Name end{"suture", "thread.tension_first", "N", ""};
+  EXPECT_EQ(tension_of({own, end}), 1);
+  formula = "99.5 % quantile of thread.tension_first below 20 Hz while held";
+  EXPECT_EQ(tension_of({own, end}), 2);
+  EXPECT_EQ(tension_of({drawn, own, end}), 1) << "a needle draws it";
   EXPECT_EQ(tension_of({own}), 1);
   EXPECT_FALSE(tension_of({{"touch", "contact.force", "N", ""}}));
 }
