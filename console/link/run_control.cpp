@@ -88,8 +88,8 @@ void RunControl::stop() {
   finish();
 }
 
-void RunControl::pointer(const swage_pointer& input) {
-  if (state_ == State::kRunning) session_->pointer(input);
+void RunControl::pointer(const swage_pointer& input, qint64 due_ns) {
+  if (state_ == State::kRunning) session_->pointer(input, due_ns);
 }
 
 QString RunControl::change(const std::string& instance, const std::string& json) {

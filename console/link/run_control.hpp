@@ -54,7 +54,7 @@ class RunControl : public QObject {
   void stop();
 
  public:
-  void pointer(const swage_pointer& input);
+  void pointer(const swage_pointer& input, qint64 due_ns);  // see session::Session
   /// New value of a live parameter. Returns "" when it was accepted, else the reason, as a sentence.
   QString change(const std::string& instance, const std::string& json);
 

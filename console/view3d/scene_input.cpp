@@ -6,12 +6,11 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScreen>
-#include <QTimer>
 #include <QWheelEvent>
 #include <QWidget>
-#include <algorithm>
 #include <utility>
 
+#include "base/clock.hpp"
 #include "console/view3d/overlay.hpp"
 
 namespace swage::console {
@@ -20,15 +19,11 @@ namespace {
 constexpr float kTurn_deg_px = 0.4F;
 constexpr float kTurn_deg_key = 6;
 constexpr int kEdge_px = 2;
-constexpr qint64 kLate_ms = 20;        // a release that comes this much too early is not felt
-constexpr qint64 kLongest_ms = 10000;  // longer holds are not made up for: the clock of the events may have jumped
 
 }  // namespace
 
 SceneInput::SceneInput(QWidget* widget, const SceneState& scene, ViewPoint& point, PanelLayout& panels)
-    : QObject(widget), widget_(widget), scene_(scene), point_(point), panels_(panels) {
-  handled_.start();
-}
+    : QObject(widget), widget_(widget), scene_(scene), point_(point), panels_(panels) {}
 
 void SceneInput::set_instrument(bool on) {
   if (instrument_ == on) return;
@@ -36,7 +31,7 @@ void SceneInput::set_instrument(bool on) {
   drives_ = nothing_to_drive_ = false;  // a key that is down when an attempt ends is released unseen
   turned_view_ = false;
   input_ = PointerInput();
-  pressed_.clear();
+  keys_ = 0;
   panels_.set_keys_down(false);
   panels_.hold({});
   Q_EMIT words_changed();
@@ -203,13 +198,12 @@ bool SceneInput::key_down(QKeyEvent* event) {
   if (!panels_.held()) input_.set_camera(panels_.panels().front().view.eye.q_WC());
   if (!instrument_ || !input_.key(*event, true, out)) return camera_key(event->key());
   if (event->isAutoRepeat()) return true;
-  pressed_[event->key()] = {event->timestamp(), handled_.elapsed(), ++presses_};
   tell_circle(out);
   panels_.set_keys_down(out.keys != 0);
   if (moves_instrument(event->key())) used("drag");
   if (event->key() == Qt::Key_Space) used("close");
   if (event->key() == Qt::Key_B) used("open");
-  Q_EMIT pointer(out);
+  send_key(*event, out);
   return true;
 }
 
@@ -246,35 +240,27 @@ bool SceneInput::camera_key(int key) {
   return true;
 }
 
-// While a slow picture is painted, press and release wait and are then handled at once: a key is released so long after its press as the
-// person held it, or what was tapped would be lost.
 bool SceneInput::key_up(QKeyEvent* event) {
-  if (!instrument_ || event->isAutoRepeat()) return instrument_ && release(event);
-  const auto press = pressed_.find(event->key());
-  const qint64 held = press == pressed_.end() ? 0 : static_cast<qint64>(event->timestamp()) - static_cast<qint64>(press->at);
-  const qint64 early = press == pressed_.end() ? 0 : std::min(held, kLongest_ms) - (handled_.elapsed() - press->handled_ms);
-  if (early < kLate_ms) return release(event);
-  QTimer::singleShot(static_cast<int>(early), this, [this, key = event->key(), modifiers = event->modifiers(), number = press->number] {
-    const auto now = pressed_.find(key);
-    QKeyEvent up(QEvent::KeyRelease, key, modifiers);
-    if (now != pressed_.end() && now->number == number) release(&up);  // not pressed again, and not left
-  });
+  swage_pointer out{};
+  if (!instrument_ || !input_.key(*event, false, out)) return false;
+  if (event->isAutoRepeat()) return true;
+  panels_.set_keys_down(out.keys != 0);
+  tell_circle(out);
+  send_key(*event, out);
   return true;
 }
 
-bool SceneInput::release(QKeyEvent* event) {
-  swage_pointer out{};
-  if (!input_.key(*event, false, out)) return false;
-  if (event->isAutoRepeat()) return true;
-  pressed_.remove(event->key());
-  panels_.set_keys_down(out.keys != 0);
-  tell_circle(out);
-  Q_EMIT pointer(out);
-  return true;
+void SceneInput::send_key(const QKeyEvent& event, const swage_pointer& input) {
+  constexpr int64_t kMs = 1'000'000;  // ns
+  const KeyTimes::Kind kind = PointerInput::key_bit(event.key()) < 0        ? KeyTimes::Kind::kModifier
+                              : event.type() == QEvent::KeyPress ? KeyTimes::Kind::kPress
+                                                                 : KeyTimes::Kind::kRelease;
+  const bool down = std::exchange(keys_, input.keys) != 0;
+  Q_EMIT pointer(input, key_times_.due_ns(kind, down, static_cast<int64_t>(event.timestamp()) * kMs, base::wall_ns()));
 }
 
 void SceneInput::focus_lost() {
-  pressed_.clear();
+  keys_ = 0;
   panels_.set_keys_down(false);
   // a key released in another window must not keep the jaws closing
   if (instrument_) Q_EMIT pointer(input_.released());

@@ -6,14 +6,13 @@
 // whole picture. [main]
 #pragma once
 
-#include <QElapsedTimer>
-#include <QHash>
 #include <QObject>
 #include <QPointF>
 #include <QString>
 #include <optional>
 
 #include "console/link/pointer_input.hpp"
+#include "console/view3d/key_times.hpp"
 #include "console/view3d/needle_circle.hpp"
 #include "console/view3d/panels.hpp"
 
@@ -52,7 +51,8 @@ class SceneInput : public QObject {
   void focus_lost();
 
  Q_SIGNALS:
-  void pointer(const swage_pointer& input);
+  /// `due_ns`: time of base::wall_ns() at which it takes effect; 0: at once.
+  void pointer(const swage_pointer& input, qint64 due_ns = 0);
   /// Emitted before pointer() when the needle is driven along its circle; no value without a needle at the tips. World frame, as shown.
   void circle(const std::optional<NeedleCircle>& about);
   /// The person has used a control of the hints: "drag", "close", "drive", "open".
@@ -74,7 +74,7 @@ class SceneInput : public QObject {
   bool microscope_key(const QKeyEvent& event);
   static bool moves_instrument(int key);
   bool camera_key(int key);
-  bool release(QKeyEvent* event);
+  void send_key(const QKeyEvent& event, const swage_pointer& input);
 
   QWidget* widget_;
   const SceneState& scene_;
@@ -87,14 +87,8 @@ class SceneInput : public QObject {
   bool nothing_to_drive_ = false;  // a driving key is down and no circle is at the tips
   bool turned_view_ = false;  // a drag turned the view while no attempt was running
   ControlHints hints_;
-  struct Press {
-    quint64 at = 0;         // ms, of the event's clock
-    qint64 handled_ms = 0;  // of handled_
-    uint64_t number = 0;    // of this press among all
-  };
-  QHash<int, Press> pressed_;  // keys of the instrument that are down, by key
-  QElapsedTimer handled_;
-  uint64_t presses_ = 0;
+  uint64_t keys_ = 0;  // of the instrument that are down, as in swage_pointer
+  KeyTimes key_times_;
 };
 
 }  // namespace swage::console

@@ -41,9 +41,9 @@ SceneView::SceneView(QWidget* parent)
   setMouseTracking(true);
   setMinimumSize(320, 240);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  connect(input_, &SceneInput::pointer, this, [this](const swage_pointer& input) {
+  connect(input_, &SceneInput::pointer, this, [this](const swage_pointer& input, qint64 due_ns) {
     pace_.moved(clock_.nsecsElapsed());
-    Q_EMIT pointer(input);
+    Q_EMIT pointer(input, due_ns);
   });
   connect(input_, &SceneInput::circle, this, &SceneView::circle);
   connect(input_, &SceneInput::control_used, this, &SceneView::control_used);

@@ -101,7 +101,8 @@ class SceneView : public QWidget {
   void redraw() { touch(); }
 
  Q_SIGNALS:
-  void pointer(const swage_pointer& input);
+  /// `due_ns`: time of base::wall_ns() at which it takes effect; 0: at once.
+  void pointer(const swage_pointer& input, qint64 due_ns);
   /// Emitted before pointer() when the needle is driven along its circle; no value without a needle at the tips. World frame, as shown.
   void circle(const std::optional<NeedleCircle>& about);
   void ready_changed();

@@ -65,8 +65,9 @@ class MouseHand {
 
   /// One step of dt [s]. [rt]
   void step(const swage_pointer& pointer, double dt, const Felt& felt = {}) noexcept {
-    const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
-    lead(pointer, scale, dt);
+    const bool shift = (pointer.modifiers & kShift) != 0;
+    const double scale = shift ? speeds_.fine : 1.0;
+    lead_all(pointer, shift, dt);
     lead_on(pointer, scale, dt);
     if (squeeze(pointer, scale, dt, felt.grip)) {
       yield(felt.pushes * scale * speeds_.give * dt);
@@ -96,6 +97,20 @@ class MouseHand {
   double closure() const { return closure_; }  // 0..1
 
  private:
+  /// A key that was pressed with shift goes on at its fine speed until it is released: shift is often let go first, by a moment in which a
+  /// fine stroke would become a coarse one.
+  void lead_all(const swage_pointer& p, bool shift, double dt) noexcept {
+    const uint64_t pressed = p.keys & ~keys_ & kLeading;
+    fine_keys_ = (fine_keys_ & p.keys) | (shift ? pressed : 0);
+    if (shift || fine_keys_ == 0) return lead(p, shift ? speeds_.fine : 1.0, dt);
+    swage_pointer coarse = p, fine{};
+    coarse.keys &= ~fine_keys_;
+    fine.keys = fine_keys_;
+    fine.camera = p.camera;
+    lead(coarse, 1.0, dt);
+    lead(fine, speeds_.fine, dt);
+  }
+
   /// Moves, turns and drives the commanded pose as pointer and keys say.
   void lead(const swage_pointer& p, double scale, double dt) noexcept {
     const Quat q_WC = toolkit::quat(p.camera);
@@ -233,6 +248,7 @@ class MouseHand {
 
   Speeds speeds_;
   uint64_t keys_ = 0;                            // down in the last step
+  uint64_t fine_keys_ = 0;                       // down, and pressed with shift
   std::array<double, SWAGE_KEY_COUNT> left_s_{};  // s of each key's least time that are left
   double press_scale_ = 1;                       // factor of the speeds at the last press
   Circle circle_;

@@ -13,8 +13,8 @@ namespace swage::session {
 
 namespace {
 
-// limits of the input between two steps; usual are 0 to 2 per step
-constexpr std::size_t kCommands = 64, kPointers = 256;
+// limits of the input between two steps; usual are 0 to 2 per step, and behind an input that waits for its time a second of a mouse
+constexpr std::size_t kCommands = 64, kPointers = 1024;
 // events until the console fetches them; at 60 frames a second and 5 events per step that is a whole second
 constexpr std::size_t kEvents = 8192;
 // cues of the scene that may be felt: by the lesson file, and by the channels of each cue
@@ -156,14 +156,16 @@ void Loop::take_pointer() noexcept {
   swage_pointer& now = pointer_;
   now.dx = now.dy = now.wheel = 0;
   const swage_pointer before = now;
-  swage_pointer p = waiting_pointer_;
-  while (std::exchange(pointer_waits_, false) || pointer_in_.try_pop(p)) {
+  PointerInput next = waiting_pointer_;
+  while (std::exchange(pointer_waits_, false) || pointer_in_.try_pop(next)) {
+    swage_pointer& p = next.state;
+    const bool early = next.due_ns != 0 && base::wall_ns() < next.due_ns;
     const bool short_key = (now.keys & ~before.keys & ~p.keys) != 0;
     const bool short_button = (now.buttons & ~before.buttons & ~p.buttons) != 0;
     const bool moved = now.dx != 0 || now.dy != 0 || now.wheel != 0;
     const bool other = now.buttons != p.buttons || now.modifiers != p.modifiers || now.keys != p.keys;
-    if (short_key || short_button || (moved && other)) {
-      waiting_pointer_ = p;
+    if (early || short_key || short_button || (moved && other)) {
+      waiting_pointer_ = next;
       pointer_waits_ = true;
       break;
     }

@@ -46,7 +46,7 @@ class Loop {
   bool command(const step::Command& command) { return command_in_.try_push(command); }  // [main]
   void pause(bool on) { paused_.store(on, std::memory_order_relaxed); }                 // [main]
   void stop() { stop_.store(true, std::memory_order_relaxed); }                         // [any]
-  void pointer(const swage_pointer& p) { pointer_in_.try_push(p); }                     // [one thread]
+  void pointer(const swage_pointer& p, int64_t due_ns) { pointer_in_.try_push({p, due_ns}); }  // [one thread]
   void grant(bool realtime) { realtime_granted_ = realtime; }  // [rt] before the first tick
 
   bool latest(snapshot::Snapshot& out) const { return channel_.latest(out); }  // [any]
@@ -86,9 +86,13 @@ class Loop {
   const Settings settings_;
 
   base::SpscRing<step::Command> command_in_;
-  base::SpscRing<swage_pointer> pointer_in_;
+  struct PointerInput {
+    swage_pointer state;
+    int64_t due_ns;  // of base::wall_ns()
+  };
+  base::SpscRing<PointerInput> pointer_in_;
   swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of the present step
-  swage_pointer waiting_pointer_{};  // taken from pointer_in_, and not yet due
+  PointerInput waiting_pointer_{};  // taken from pointer_in_, and not yet due
   bool pointer_waits_ = false;
   base::SpscRing<judge::Event> event_out_;
   snapshot::Channel channel_;

@@ -44,7 +44,7 @@ class Run final : public Session {
   bool finished() const override { return loop_->finished(); }
   void wait() override;
   bool pull_knot(uint64_t most_steps, PullProgress& out) override;
-  void pointer(const swage_pointer& p) override { loop_->pointer(p); }
+  void pointer(const swage_pointer& p, int64_t due_ns) override { loop_->pointer(p, due_ns); }
   bool latest(snapshot::Snapshot& out) const override { return loop_->latest(out); }
   bool next_event(judge::Event& out) override { return loop_->next_event(out); }
   Result result() const override;

@@ -108,7 +108,10 @@ class Session {
   /// left to do. Who calls stop() instead of going on gets a result without it.
   virtual bool pull_knot(uint64_t most_steps, PullProgress& out) = 0;
 
-  virtual void pointer(const swage_pointer&) = 0;  // [any one thread] movements accumulate until the next step
+  /// Movements accumulate until the next step. `due_ns`: time of base::wall_ns() until which this input waits, and all that comes behind it.
+  /// A window that handles a stroke of a key late so tells for how long the key was down. [any one thread]
+  virtual void pointer(const swage_pointer& input, int64_t due_ns) = 0;
+  void pointer(const swage_pointer& input) { pointer(input, 0); }
   virtual bool latest(
       snapshot::Snapshot& out) const = 0;          // [any] newest whole snapshot; false before the first
   virtual bool next_event(judge::Event& out) = 0;  // [one reader] false when the ring is empty

@@ -160,7 +160,7 @@ class FakeSession final : public session::Session {
     log_->changed.push_back(instance + " " + json);
     return false;
   }
-  void pointer(const swage_pointer& p) override { log_->pointer.push_back(p); }
+  void pointer(const swage_pointer& p, int64_t) override { log_->pointer.push_back(p); }
 
   bool latest(snapshot::Snapshot& out) const override {
     if (!running_ && before_ <= 0) return false;

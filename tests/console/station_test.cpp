@@ -38,7 +38,7 @@ class ArmSession final : public session::Session {
   bool finished() const override { return false; }
   void wait() override {}
   bool pull_knot(uint64_t, session::PullProgress&) override { return false; }
-  void pointer(const swage_pointer&) override {}
+  void pointer(const swage_pointer&, int64_t) override {}
   bool latest(snapshot::Snapshot& out) const override {
     out.n_device = 1;
     out.device[0].X_WD = {*tip_, {1, 0, 0, 0}};

@@ -133,6 +133,28 @@ TEST(MouseHand, ShiftIsFine) {
   EXPECT_NEAR(after(p, 1000).pose().p.x(), 0.2 * Speeds{}.key_move, 1e-12);
 }
 
+// Shift let go before the key: the stroke stays fine to its end; what is pressed after it is not.
+TEST(MouseHand, AKeyThatWasPressedWithShiftStaysFine) {
+  MouseHand hand(quick(), Pose());
+  swage_pointer p = still();
+  const auto steps = [&](uint64_t keys, uint32_t modifiers, int n) {
+    p.keys = keys, p.modifiers = modifiers;
+    const Vec3 from = hand.pose().p;
+    for (int i = 0; i < n; ++i) hand.step(p, 1e-3);
+    return Vec3(hand.pose().p - from);
+  };
+  const double fine = 0.2 * Speeds{}.key_move, fast = Speeds{}.key_move;
+  EXPECT_NEAR(steps(letter('d'), kShift, 500).x(), 0.5 * fine, 1e-12);
+  EXPECT_NEAR(steps(letter('d'), 0, 500).x(), 0.5 * fine, 1e-12);
+  const Vec3 both = steps(letter('d') | letter('w'), 0, 500);
+  EXPECT_NEAR(both.x(), 0.5 * fine, 1e-12);
+  EXPECT_NEAR(both.z(), 0.5 * fast, 1e-12);
+  EXPECT_NEAR(steps(letter('w'), kShift, 500).z(), 0.5 * fine, 1e-12) << "shift slows what is down";
+  EXPECT_NEAR(steps(letter('w'), 0, 500).z(), 0.5 * fast, 1e-12) << "for as long as it is down";
+  steps(0, 0, 100);
+  EXPECT_NEAR(steps(letter('d'), 0, 500).x(), 0.5 * fast, 1e-12) << "pressed again";
+}
+
 // A stroke that lasts one step of the host moves by the documented least step, with shift by a fifth of it, and then ends.
 TEST(MouseHand, TheShortestStrokeOfAKeyIsItsLeastStep) {
   const auto stroke = [](uint64_t keys, uint32_t modifiers, int steps) {

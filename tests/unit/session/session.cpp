@@ -11,6 +11,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "base/clock.hpp"
 #include "record/store.hpp"
 #include "session/sentences.hpp"
 #include "session_bed.hpp"
@@ -178,6 +179,41 @@ TEST_F(SessionTest, TheEndOfARollIsNoTurn) {
   const toolkit::Vec3 turned = toolkit::log_rotation(drag.moved().q);
   EXPECT_NEAR(turned.z(), -0.1 * 2 * std::numbers::pi / 3, 1e-3);
   EXPECT_NEAR(turned.head<2>().norm(), 0, 1e-3);
+}
+
+// a stroke that the window handles all at once is as long as its release is late; what comes behind it waits, too
+TEST_F(SessionTest, AReleaseWaitsForItsTime) {
+  options.device = "mouse";
+  options.start_paused = true;
+  auto session = open();
+  session->start();
+  swage_pointer p{};
+  p.camera = {1, 0, 0, 0};
+  p.keys = uint64_t{1} << ('d' - 'a');
+  session->pointer(p);
+  p.keys = 0;
+  const int64_t due_ns = base::wall_ns() + 300'000'000;
+  session->pointer(p, due_ns);
+  p.buttons = 1;
+  p.dx = 1;
+  session->pointer(p);
+  snapshot::Snapshot now;
+  ASSERT_TRUE(session->latest(now));
+  const double x = now.X_WB[0].p.x, y = now.X_WB[0].p.y;
+  const auto moved = [&] { return std::hypot(now.X_WB[0].p.x - x, now.X_WB[0].p.y - y); };
+  session->pause(false);
+  until([&] { return session->latest(now) && moved() > 0.2e-3; });  // twice what the shortest stroke moves
+  // Only the key has moved it, 4 mm/s; the drag alone is 10 mm. A machine that is slow reads this late and tells nothing.
+  if (base::wall_ns() < due_ns) {
+    EXPECT_LT(moved(), 4e-6 * static_cast<double>(now.step) + 1e-5);
+  }
+  until([&] { return base::wall_ns() > due_ns + 50'000'000 && session->latest(now) && moved() > 9e-3; });
+  const uint64_t from = now.step;
+  until([&] { return session->latest(now) && now.step > from + 500; });
+  const double there = moved();
+  until([&] { return session->latest(now) && now.step > from + 1500; });
+  EXPECT_NEAR(moved(), there, 1e-6) << "the key is up";
+  session->stop();
 }
 
 // down and up before the next step looks, as a quick finger does it on a slow screen
