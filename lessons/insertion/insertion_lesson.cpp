@@ -55,6 +55,8 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
   phase_[index(Stage::kPull)] = builder.phase("pull", "Pull it through along its curve.");
+  if (params.tail > 0) phase_[index(Stage::kDraw)] = builder.phase("draw", "Draw the thread through until its mark is at the entry.");
+  else if (params.loop > 0) phase_[index(Stage::kDraw)] = builder.phase("draw", "Draw the thread until its loop lies on and has its length.");
   if (has_cut()) phase_[index(Stage::kCutOff)] = builder.phase("cut", "Cut the thread beyond the exit, as long as the tail.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
@@ -349,8 +351,8 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_
     if (finding.end == End::kPassed) return verdict.mark(mark, sign(Sign::kDone), &p_W);
     verdict.mark(mark, near ? sign(Sign::kNear) : Cue(), &p_W);
   };
-  // the mark keeps its cue while a needle that entered there is drawn through
-  const bool was_there = finding.stage == Stage::kPull && m.entry_distance <= params_.tolerance;
+  // the mark keeps its cue while a needle that entered there is pulled through, and its thread
+  const bool was_there = (finding.stage == Stage::kPull || finding.stage == Stage::kDraw) && m.entry_distance <= params_.tolerance;
   point(target_, kept.target, finding.near || was_there);
   if (finding.stage == Stage::kDrive && m.entry_distance > params_.tolerance) {
     const swage_vec3 p_W{kept.target[0], kept.target[1], kept.target[2]};

@@ -238,7 +238,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Mark target_, exit_, tail_, region_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
-  Phase phase_[10];                     // by Stage
+  Phase phase_[11];                     // by Stage
   Signal bending_;
   Event dropped_, missed_, damaged_, far_first_, cut_off_, failed_[static_cast<size_t>(End::kCount)];  // by End
 };

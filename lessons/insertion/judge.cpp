@@ -196,8 +196,9 @@ void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) co
 }
 
 Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
-  const bool to_cut = rules_.suture.cut && memory.through != 0 && SutureWatch::drawn(rules_.suture, memory.suture);
-  if (memory.retaken != 0) return to_cut ? Stage::kCutOff : Stage::kPull;
+  if (memory.retaken != 0 && memory.through == 0) return Stage::kPull;
+  if (memory.retaken != 0 && !SutureWatch::drawn(rules_.suture, memory.suture)) return Stage::kDraw;
+  if (memory.retaken != 0) return rules_.suture.cut ? Stage::kCutOff : Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
   if (memory.reached != 0) return Stage::kRegrasp;

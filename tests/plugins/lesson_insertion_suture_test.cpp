@@ -45,6 +45,7 @@ TEST(InsertionJudge, AStitchWithThreadEndsWithItsTail) {
   };
   Attempt done = through();
   EXPECT_EQ(done.go(1000).end, End::kRunning);
+  EXPECT_EQ(done.go().stage, Stage::kDraw) << "the needle is through, its thread is not";
   done.now.suture.tail = 10.5e-3;
   EXPECT_EQ(done.go(499).end, End::kRunning);
   EXPECT_EQ(done.go(2).end, End::kPassed);
@@ -72,7 +73,9 @@ TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
       a.stitch();
       a.now.in_tissue = false;
       a.now.suture.state = 2, a.now.suture.loop = a.now.suture.loop_most = 9e-3;
-      EXPECT_EQ(a.go(1000).end, End::kRunning) << "the loop is long still";
+      f = a.go(1000);
+      EXPECT_EQ(f.end, End::kRunning) << "the loop is long still";
+      EXPECT_EQ(f.stage, Stage::kDraw);
       a.now.suture.loop = loop, a.now.suture.tension = tension;
       a.now.suture.loop_most = 4e-3, a.now.suture.loop_least = std::min(4e-3, loop);
       f = a.go(499);
@@ -150,7 +153,7 @@ TEST(InsertionJudge, ATailIsCutAgainWhereItIsTooLongAndLostWhereItIsTooShort) {
   EXPECT_EQ(shorter.cut(24.5e-3).end, End::kTailLost) << "1.5 mm";
   CutOff entry;
   entry.now.suture.entry = 24e-3, entry.now.suture.exit = 23e-3;
-  EXPECT_EQ(entry.go(600).stage, Stage::kPull) << "6 mm before the entry";
+  EXPECT_EQ(entry.go(600).stage, Stage::kDraw) << "6 mm before the entry";
   entry.cut(27e-3);
   EXPECT_EQ(entry.go(600).stage, Stage::kCutOff) << "cut to 3 mm";
   EXPECT_EQ(entry.memory.suture.cut_off.astray, 0);
