@@ -199,6 +199,7 @@ Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& ca
     const QString text = sentence(lesson, c.text);
     if (c.kind == SWAGE_CRITERION_PASS) out.pass += text;
     if (c.kind == SWAGE_CRITERION_LIMIT) out.limits += text;
+    if (c.kind == SWAGE_CRITERION_ENDS) out.ends += text;
     if (c.kind == SWAGE_CRITERION_POINTS) out.points += text;
     if (c.kind == SWAGE_CRITERION_SHOW) out.show = true, out.pass += text;
   }

@@ -18,7 +18,7 @@ struct ForceBand {
 
 /// The criteria of a lesson, in sentences with its own values.
 struct Criteria {
-  QStringList pass, limits, points;
+  QStringList pass, limits, ends, points;  // `limits` end a test, `ends` end practice as well
   bool show = false;      // a demonstration, which is neither judged nor stored
   double max_time_s = 0;     // time limit; 0: none
   double max_tension_N = 0;  // limit of the thread tension; 0: none

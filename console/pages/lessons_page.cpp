@@ -309,7 +309,8 @@ void LessonsPage::show_lesson() {
   const Criteria asked = criteria_(lesson());
   test_->setEnabled(!asked.show && !running_);
   asked_->setText(list_text(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
-                  list_text(tr("Limits"), asked.limits) + list_text(tr("Points"), asked.points));
+                  list_text(tr("Limits in a test"), asked.limits) + list_text(tr("Ends every attempt"), asked.ends) +
+                  list_text(tr("Points"), asked.points));
   check_timer_.start();
 }
 

@@ -209,7 +209,8 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   asked_ = criteria;
   task_ = task;
   criteria_->setText(list_text(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
-                     list_text(tr("Limits in a test"), criteria.limits) + list_text(tr("Points"), criteria.points));
+                     list_text(tr("Limits in a test"), criteria.limits) + list_text(tr("Ends every attempt"), criteria.ends) +
+                     list_text(tr("Points"), criteria.points));
   force_name_->setVisible(reader.has_force());
   meter_->setVisible(reader.has_force());
   show_task();

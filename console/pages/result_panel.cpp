@@ -133,7 +133,8 @@ void ResultPanel::set_course(const QString& words) {
 }
 
 void ResultPanel::set_criteria(const Criteria& asked) {
-  const QString text = list_text(tr("To pass"), asked.pass) + list_text(tr("Limits in a test"), asked.limits);
+  const QString text = list_text(tr("To pass"), asked.pass) + list_text(tr("Limits in a test"), asked.limits) +
+                       list_text(tr("Ends every attempt"), asked.ends);
   criteria_->setText(text);
   criteria_->setVisible(!text.isEmpty() && !asked.show);
 }

@@ -147,7 +147,7 @@ QWidget* SetupPanel::make_mode() {
   modes_ = new QButtonGroup(this);
   const struct {
     QString text, tip;
-  } choices[] = {{tr("Practice"), tr("Cues are shown. Limits are told and end nothing; a recorded hand is judged as in a test.")},
+  } choices[] = {{tr("Practice"), tr("Cues are shown. Limits of a test are told and end nothing; a recorded hand is judged as in a test.")},
                  {tr("Test"), tr("Cues and readings are hidden; limits end the attempt, and it counts.")},
                  {tr("Demo"), tr("Watch the expert's hand. Nothing is recorded.")}};
   auto* row = new QHBoxLayout;

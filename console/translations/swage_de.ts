@@ -2678,10 +2678,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Bestanden, wenn</translation>
     </message>
     <message>
-        <source>Limits</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
@@ -2716,6 +2712,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>A lesson is running. Until it ends, no lesson can be changed or started.</source>
         <translation>Eine Lektion läuft. Bis sie endet, kann keine geändert oder begonnen werden.</translation>
+    </message>
+    <message>
+        <source>Limits in a test</source>
+        <translation>Grenzen im Test</translation>
+    </message>
+    <message>
+        <source>Ends every attempt</source>
+        <translation>Beendet jeden Versuch</translation>
     </message>
 </context>
 <context>
@@ -3184,6 +3188,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>A test: readings are hidden until it is over.</source>
         <translation>Ein Test: Die Anzeigen sind bis zum Ende verborgen.</translation>
+    </message>
+    <message>
+        <source>Ends every attempt</source>
+        <translation>Beendet jeden Versuch</translation>
     </message>
 </context>
 <context>
@@ -4041,6 +4049,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>▲ %1, over %2</source>
         <translation>▲ %1, über %2</translation>
+    </message>
+    <message>
+        <source>Ends every attempt</source>
+        <translation>Beendet jeden Versuch</translation>
     </message>
 </context>
 <context>
@@ -4902,10 +4914,6 @@ Bea L., Frühjahr, links</translation>
         <translation>Läuft…</translation>
     </message>
     <message>
-        <source>Cues are shown. Limits are told and end nothing; a recorded hand is judged as in a test.</source>
-        <translation>Hinweise werden gezeigt. Grenzen werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
-    </message>
-    <message>
         <source>Cues and readings are hidden, and limits end the attempt. A recorded hand&apos;s attempt counts for nobody.</source>
         <translation>Hinweise und Messwerte sind verborgen, und Grenzen beenden den Versuch. Der Versuch einer aufgezeichneten Hand zählt für niemanden.</translation>
     </message>
@@ -4920,6 +4928,10 @@ Bea L., Frühjahr, links</translation>
     <message>
         <source>▲ Chosen lesson: not open yet</source>
         <translation>▲ Gewählte Lektion: noch nicht offen</translation>
+    </message>
+    <message>
+        <source>Cues are shown. Limits of a test are told and end nothing; a recorded hand is judged as in a test.</source>
+        <translation>Hinweise werden gezeigt. Grenzen eines Tests werden genannt und beenden nichts; eine aufgezeichnete Hand wird wie im Test beurteilt.</translation>
     </message>
 </context>
 <context>

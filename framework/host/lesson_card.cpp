@@ -59,7 +59,7 @@ void metric_faults(const PluginInfo& plugin, const MetricInfo& m, std::vector<st
 }
 
 void criterion_faults(const PluginInfo& plugin, const CriterionInfo& c, std::vector<std::string>& faults) {
-  if (c.text.empty() || c.kind < SWAGE_CRITERION_PASS || c.kind > SWAGE_CRITERION_SHOW)
+  if (c.text.empty() || c.kind < SWAGE_CRITERION_PASS || c.kind > SWAGE_CRITERION_ENDS)
     faults.push_back("A criterion needs a sentence and a known kind: \"" + c.text + "\".");
   std::vector<std::string> named = named_params(c.text);
   if (!c.when.empty()) {

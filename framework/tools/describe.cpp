@@ -131,6 +131,7 @@ const char* criterion_text(int32_t kind) {
   return kind == SWAGE_CRITERION_PASS     ? "to pass"
          : kind == SWAGE_CRITERION_LIMIT  ? "limit"
          : kind == SWAGE_CRITERION_POINTS ? "points"
+         : kind == SWAGE_CRITERION_ENDS   ? "ends every attempt"
                                           : "demonstration";
 }
 

@@ -250,6 +250,8 @@ inline constexpr swage_criterion kCriteria[] = {
     {"More failed punctures than {max_deflections} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
     lessons::kMaxDrops,
     lessons::kMaxTime,
+    {"Pulling the thread off the needle ends the attempt.", "suture", SWAGE_CRITERION_ENDS, 0},
+    {"Drawing the thread so far that its tail is too short or gone ends the attempt.", "tail", SWAGE_CRITERION_ENDS, 0},
     lessons::kParTime,
     {"A large wound, at the entry or the exit, an angle off the perpendicular, an entry off the mark and a bent needle cost points; up to {in_angle} counts as perpendicular.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };

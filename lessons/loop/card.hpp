@@ -91,7 +91,7 @@ inline constexpr swage_metric_label kLabels[] = {
 inline constexpr swage_criterion kCriteria[] = {
     {"Take the thread with one instrument and wind it about the tips of the other. Whole turns: {turns}.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Keep it drawn for {hold_time}: no turn less, none more, and at least {least_draw} on the instrument.", nullptr, SWAGE_CRITERION_PASS, 0},
-    {"A thread that breaks ends the attempt; so does one that the simulation lets go through itself or the instrument.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    {"A thread that breaks ends the attempt; so does one that the simulation lets go through itself or the instrument.", nullptr, SWAGE_CRITERION_ENDS, 0},
     {"Losing the thread from the jaws more often than {max_drops} times ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
     lessons::kMaxOverTime,
     lessons::kMaxTime,

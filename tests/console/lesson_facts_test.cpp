@@ -163,6 +163,7 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
                      {"Carry it.", "carry", SWAGE_CRITERION_PASS},
                      {"Stay.", "!carry", SWAGE_CRITERION_LIMIT},
                      {"Sew.", "task=stitch", SWAGE_CRITERION_PASS},
+                     {"A thread that breaks ends the attempt.", "", SWAGE_CRITERION_ENDS},
                      {"Slowness costs points.", "", SWAGE_CRITERION_POINTS}};
   host::Catalogue all(no_folders());
   all.add(plugin);
@@ -170,6 +171,7 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   const Criteria usual = read_criteria(lesson(dir, "{}", "org.example.asks"), all);
   EXPECT_EQ(usual.pass, QStringList({QStringLiteral("Hold it for 3%1s.").arg(QChar(0x202f))}));
   EXPECT_EQ(usual.limits, QStringList({"Stay."}));
+  EXPECT_EQ(usual.ends, QStringList({"A thread that breaks ends the attempt."})) << "in practice as well";
   EXPECT_EQ(usual.points, QStringList({"Slowness costs points."}));
   EXPECT_FALSE(usual.show);
   const Criteria sews = read_criteria(

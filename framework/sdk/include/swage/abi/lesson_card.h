@@ -80,6 +80,7 @@ typedef struct swage_metric_label {
 #define SWAGE_CRITERION_LIMIT 2  /* ends the attempt as not passed; in practice it may only be reported */
 #define SWAGE_CRITERION_POINTS 3 /* costs points */
 #define SWAGE_CRITERION_SHOW 4   /* nothing is asked: the lesson is a demonstration, without score or record */
+#define SWAGE_CRITERION_ENDS 5   /* ends every attempt as not passed, in practice as well */
 typedef struct swage_criterion {
   const char* text;  /* "Hold it for {hold_time}.": {id} stands for the value of a parameter, with its unit */
   const char* when;  /* condition under which the sentence holds. "id": the parameter is true, not 0, or a text that is not
