@@ -53,9 +53,12 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   };
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
   const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
-  phase(Stage::kTake, "take", "Take the long end of the thread with one instrument.");
-  phase(Stage::kWind, "wind", "Wind it about the tips of the other.");
-  phase(Stage::kTail, "tail", "Take the tail with that one.");
+  // instruments that have the names of the defaults are called by them: of two, only one counts as the winder
+  const bool named = params.holder == P().holder && params.winder == P().winder;
+  phase(Stage::kTake, "take",
+        named ? "Take the long end of the thread with the forceps." : "Take the long end of the thread with one instrument.");
+  phase(Stage::kWind, "wind", named ? "Wind it about the tips of the needleholder." : "Wind it about the tips of the other.");
+  phase(Stage::kTail, "tail", named ? "Take the tail with the needleholder." : "Take the tail with that one.");
   phase(Stage::kDraw, "draw", "Draw the tail through the loop.");
   phase(Stage::kLay, "lay", "Lay the throw down flat, each end to the other side, until the edges come together.");
   phase(Stage::kHold, "hold", "Keep it so.");

@@ -18,8 +18,12 @@ void LoopLesson::build(const P& params, LessonBuilder& builder) {
   if (params.holder == params.winder) builder.error("winder", lessons::say::kTwoGrippers());
   builder.state<Memory>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
-  phase_[index(Stage::kTake)] = builder.phase("take", "Take the thread with one instrument.");
-  phase_[index(Stage::kWind)] = builder.phase("wind", "Wind it about the tips of the other.");
+  // instruments that have the names of the defaults are called by them: of two, only one counts as the winder
+  const bool named = params.holder == P().holder && params.winder == P().winder;
+  phase_[index(Stage::kTake)] = builder.phase("take", named ? "Close the needleholder. Then take the thread near its free end with the forceps."
+                                                            : "Take the thread with one instrument.");
+  phase_[index(Stage::kWind)] =
+      builder.phase("wind", named ? "Wind it about the closed tips of the needleholder." : "Wind it about the tips of the other.");
   phase_[index(Stage::kHold)] = builder.phase("hold", "Keep it drawn.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
   slipped_ = builder.event("loop.slipped", "A turn has slid off the instrument or was unwound.");
