@@ -572,6 +572,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Exit %1 %</source>
         <translation>Ausstich %1 %</translation>
     </message>
+    <message>
+        <source>Seen from behind: left and right are exchanged</source>
+        <translation>Von hinten gesehen: links und rechts sind vertauscht</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>

@@ -75,6 +75,11 @@ void OrbitCamera::stay_at(const QVector3D& point) {
   follows_ = false;
 }
 
+bool OrbitCamera::from_behind() const {
+  constexpr float kBehind = 0.5;  // of the way from the side to straight from behind
+  return (eye() - now_.focus).normalized().y() > kBehind;
+}
+
 void OrbitCamera::hold(float yaw_deg, float pitch_deg) {
   held_ = true;
   held_yaw_ = yaw_deg, held_pitch_ = pitch_deg;

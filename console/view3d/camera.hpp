@@ -66,6 +66,8 @@ class OrbitCamera {
   QVector3D eye() const;
   QVector3D up() const;
   QVector3D focus() const { return now_.focus; }
+  /// Whether it looks towards the viewer of the front: what is right there is left here.
+  bool from_behind() const;
   float distance() const { return now_.distance; }
   QQuaternion q_WC() const;  // C: +x right, +y up, +z towards the viewer
 

@@ -80,12 +80,20 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
     overlay.keep_clear(scale_place(job));
     overlay.keep_clock_clear(job.words.clock);
-    if (scene_.have_card()) overlay.corner(medium_words(scene_.card().medium, scene_.card().viscosity));
+    if (scene_.have_card()) overlay.corner(corner_words());
   }
   // marks of a scene that is not drawn yet would lie in the void
   if (drawn(job, index)) marks_.paint(overlay, seen, job.leads);
   if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
   painter.restore();
+}
+
+// the medium, and a side that was changed without being asked for
+QString ScenePainter::corner_words() const {
+  QStringList all = {medium_words(scene_.card().medium, scene_.card().viscosity)};
+  if (point_.behind()) all += tr("Seen from behind: left and right are exchanged");
+  all.removeAll(QString());
+  return all.join(QString::fromUtf16(kHintGap));
 }
 
 // clock, verdict and task appear to each eye at the depth of the screen
@@ -97,7 +105,7 @@ void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Jo
   if (!words.message.isEmpty())
     overlay.message(words.message);
   else if (scene_.have_card())
-    overlay.corner(medium_words(scene_.card().medium, scene_.card().viscosity));
+    overlay.corner(corner_words());
   if (station_mark_) paint_station_mark(painter, panel);
 }
 

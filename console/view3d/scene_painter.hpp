@@ -72,6 +72,7 @@ class ScenePainter {
   std::vector<QImage> eyes(const Job& job);
   void paint_eyes(QPainter& painter, const Job& job);
   void paint_background(QPainter& painter, const Canvas& canvas, const QRectF& at);
+  QString corner_words() const;
   void paint_eye_words(QPainter& painter, Overlay& overlay, const Job& job, const Panel& panel) const;
   void paint_station_mark(QPainter& painter, const Panel& panel) const;
   void paint_frame(QPainter& painter, const Panel& inset) const;

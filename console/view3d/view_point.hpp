@@ -49,6 +49,8 @@ class ViewPoint {
   QSizeF screen_mm_per_pixel() const;
   /// The eyes of a panel of this size in pixels: left and right, or the middle one twice. Only with stereo().
   std::array<Eye, 2> eyes(const QSizeF& panel) const;
+  /// The view from the side went behind the work, because a shaft hides it from the front: left and right are exchanged.
+  bool behind() const { return preset_ == CameraPreset::kSide && camera.from_behind(); }
   /// The disc that instruments must not hide: around the driven needle in the side view. A trainee's view, as a microscope, hides nothing.
   ClearSight clear_sight() const;
   /// The display settings of this view, for the record of an attempt.

@@ -150,6 +150,22 @@ TEST(Camera, RoomIsKeptOverViewsAndZoom) {
   EXPECT_NEAR(camera.distance(), zoomed / 1.5F, 1e-3);
 }
 
+TEST(Camera, KnowsThatItLooksFromBehind) {
+  OrbitCamera camera;
+  for (const CameraPreset from : kViewOrder) {
+    camera.look(from);
+    camera.jump();
+    EXPECT_FALSE(camera.from_behind()) << static_cast<int>(from);
+  }
+  camera.look(CameraPreset::kSide);
+  camera.look_from(90);
+  camera.jump();
+  EXPECT_TRUE(camera.from_behind());
+  camera.look_from(-60);
+  camera.jump();
+  EXPECT_FALSE(camera.from_behind());
+}
+
 TEST(Camera, F11GoesThroughTheViewsAndTellsHowFarItIs) {
   EXPECT_EQ(view_after(CameraPreset::kOrbit), CameraPreset::kSide);
   EXPECT_EQ(view_after(CameraPreset::kNear), CameraPreset::kOrbit);
