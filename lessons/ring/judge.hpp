@@ -62,6 +62,7 @@ struct Memory {
   lessons::TremorState tremor;
   double begun = 0;             // 0 or 1
   double start[3] = {0, 0, 0};  // m
+  double wire_end[3] = {0, 0, 0};  // m, where the course of the wire ends
   double grasps = 0, drops = 0, touches = 0;
   double lifted = 0;                        // 0 or 1: the ring has come clear of the wire, or has moved along it
   double touching = 0, untouched_s = 0;     // 0 or 1; s

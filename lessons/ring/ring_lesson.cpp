@@ -121,8 +121,26 @@ bool RingLesson::read(const View& view, const Memory& memory, Look& look) const 
   return see(view, wire_, axis_W, look, look.wire);
 }
 
-/// Top of the post that comes next, or of the last one.
-bool RingLesson::next_post(const View& view, const Memory& memory, swage_vec3& p_W) const {
+/// Where the course of the wire ends: walks along its tangents from the place nearest to `from_W`.
+Vec3 RingLesson::end_of_wire(const View& view, const Vec3& from_W) const {
+  constexpr double kStride = 0.5e-3;  // m, below the radius of any bend
+  constexpr int kStrides = 200;       // 0.1 m of wire
+  Vec3 at = from_W, end = from_W;
+  double s = -1;
+  for (int i = 0; i < kStrides; ++i) {
+    const auto place = wire_.peer.locate(view.object(wire_.object), toolkit::raw(at));
+    if (!place || place->s <= s) break;
+    end = vec(place->p_W);
+    if (place->s >= params_.course.high) break;
+    s = place->s;
+    at = end + kStride * vec(place->tangent_W);
+  }
+  return end;
+}
+
+/// Where the ring goes next: to the end of the wire, and from there to the top of the next post, or of the last one.
+bool RingLesson::next_place(const View& view, const Memory& memory, swage_vec3& p_W) const {
+  if (memory.free == 0) return p_W = toolkit::raw(Vec3(Eigen::Map<const Vec3>(memory.wire_end))), true;
   const Thing& post = posts_[std::min(static_cast<size_t>(memory.posts), posts_.size() - 1)];
   constexpr double kFarUp = 1;  // m, height from which the top is the nearest place
   const auto top = post.peer.locate(view.object(post.object), toolkit::raw(Vec3(0, 0, kFarUp)));
@@ -134,6 +152,7 @@ void RingLesson::observe(const View& view, const Verdict& verdict, std::span<dou
   auto& memory = as<Memory>(state);
   Look look;
   if (!read(view, memory, look)) return discard();
+  if (memory.begun == 0) Eigen::Map<Vec3>(memory.wire_end) = end_of_wire(view, look.ring_W);
   const Finding finding = judge_.look(memory, look);
   report(memory, look.time_s, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
@@ -151,7 +170,7 @@ void RingLesson::say(const View& view, const Memory& memory, const Finding& find
     verdict.clear_cue(ring_.object);
   finding.too_hard ? verdict.cue(gripper_object_, sign(Sign::kTooHard)) : verdict.clear_cue(gripper_object_);
   swage_vec3 p_W{};
-  if (!posts_.empty() && next_post(view, memory, p_W)) {
+  if (!posts_.empty() && next_place(view, memory, p_W)) {
     Cue cue = finding.over_post ? sign(Sign::kNear) : Cue();
     if (finding.end == End::kPassed) cue = sign(Sign::kDone);
     verdict.mark(target_, cue, &p_W);

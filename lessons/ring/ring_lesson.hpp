@@ -100,7 +100,8 @@ class RingLesson final : public Lesson<RingParams> {
   void find_touches(const Scene& scene, Binder& binder);
   bool read(const View& view, const Memory& memory, Look& look) const;
   bool see(const View& view, const Thing& thing, const Vec3& axis_W, Look& look, Line& line) const;
-  bool next_post(const View& view, const Memory& memory, swage_vec3& p_W) const;
+  bool next_place(const View& view, const Memory& memory, swage_vec3& p_W) const;
+  Vec3 end_of_wire(const View& view, const Vec3& from_W) const;
   void say(const View& view, const Memory& memory, const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, double time_s, const Verdict& verdict) const;
   void report_points(const Points& lost, const Verdict& verdict) const;

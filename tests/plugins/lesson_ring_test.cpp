@@ -182,6 +182,24 @@ TEST_F(OnStage, TellsTouchesOfTheCouplingsThatItNames) {
   EXPECT_TRUE(marks.empty()) << "no posts";
 }
 
+// what is marked is the next thing to do: the end of the wire while the ring is on it, not yet the post
+struct WithAPost : public ::testing::Test, public stage::LessonStage {
+  WithAPost() : LessonStage("swage.lesson.ring", {"ring", "wire", "post"}) { add_coupling("ring_wire", {"contact.force"}, {}); }
+};
+
+TEST_F(WithAPost, MarksTheEndOfTheWireBeforeThePost) {
+  ASSERT_EQ(bind({{"touches", std::string("ring_wire")}, {"posts", std::string("post")}}), SWAGE_OK);
+  start();
+  X_WB[3].p = {0, -2e-3, 0};
+  observe(10);
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_NEAR(mark_p_W[0].y, 5e-3, 0.5e-3) << "of 10 mm";
+  hold(0, 0.5, 0.5);
+  X_WB[3].p = {0, 0, 0};
+  observe(200);
+  EXPECT_NEAR(mark_p_W[0].y, 5e-3, 0.5e-3);
+}
+
 TEST_F(OnStage, SaysWhatTheSceneLacks) {
   EXPECT_LT(bind({{"touches", std::string("ring_wire")}, {"posts", std::string("pole")}}), 0);
   ASSERT_EQ(problems.size(), 1u);
