@@ -27,11 +27,12 @@ void Screenshot::look() {
   SceneView* view = window_->trainee() ? window_->trainee()->view() : window_->run_page()->view();
   const double wall = static_cast<double>(since_.elapsed()) * 1e-3;
   const bool late = since_.elapsed() > kPatience_ms + static_cast<qint64>(2000 * at_s_);
-  const bool there = of_run_ ? control->newest() && control->newest()->time_s >= at_s_ : wall >= at_s_;
+  // the steps up to the moment under review are computed first, at their own speed
+  const bool reviewed = window_->review_page()->isVisible();
+  const bool there = of_run_ ? control->newest() && control->newest()->time_s >= at_s_ : reviewed || wall >= at_s_;
   const bool over = of_run_ && control->state() == RunControl::State::kFinished;
   const bool pictured = !view->gl().ok || !view->isVisible() || view->ready();
-  // the steps up to the moment under review are computed first
-  const bool replayed = !window_->review_page()->isVisible() || !window_->review_page()->moving();
+  const bool replayed = !reviewed || !window_->review_page()->moving();
   if (!late && !((there || over) && pictured && replayed)) return;
   if (!late && ++settled_ < (of_run_ ? 2 : kSettle)) return;
   timer_.stop();

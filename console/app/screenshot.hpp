@@ -13,7 +13,7 @@ class MainWindow;
 class Screenshot : public QObject {
   Q_OBJECT
  public:
-  /// `at_s`: simulated time of the running attempt, s; without an attempt, s since the window was shown.
+  /// `at_s`: simulated time of the running attempt, or of the one under review, s; without an attempt, s since the window was shown.
   Screenshot(MainWindow* window, const QString& file, double at_s, bool of_run);
 
  private:
