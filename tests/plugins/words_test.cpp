@@ -88,8 +88,10 @@ Stock collect() {
   return out;
 }
 
-// What is said only in scenes of other lessons: tissue with a slit whose edges are drawn.
-const std::vector<std::string> kOfNoStockLesson = {"tissue.gap", "Width of the slit as its edges are drawn now; 0: they meet."};
+// What is said only in scenes of other lessons: tissue with a slit whose edges are drawn; knots with instruments of other names.
+const std::vector<std::string> kOfNoStockLesson = {"tissue.gap", "Width of the slit as its edges are drawn now; 0: they meet.",
+                                                   "Take the thread with one instrument.", "Take the long end of the thread with one instrument.",
+                                                   "Wind it about the tips of the other.", "Take the tail with that one."};
 
 /// The messages of devices to people: what is missing, where, and what to do.
 std::vector<std::string> told_by_devices() {
