@@ -104,10 +104,11 @@ bool BandedBlocks::list_updates() noexcept {
   return true;
 }
 
-void BandedBlocks::set_zero() noexcept {
-  done_ = 0;
+void BandedBlocks::set_zero(bool symmetric) noexcept {
+  done_ = 0, symmetric_ = symmetric;
   for (uint32_t i = 0; i < n_; ++i) diagonal_[i].setZero();
-  for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e].setZero(), upper_[e].setZero();
+  for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e].setZero();
+  for (uint32_t e = 0; !symmetric && e < first_[n_]; ++e) upper_[e].setZero();
 }
 
 void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
@@ -117,7 +118,7 @@ void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
   else if (i > j)
     lower_[place(i, j)] += M;
   else  // above the diagonal: kept transposed, at its mirror place below
-    upper_[place(j, i)] += M.transpose();
+    (symmetric_ ? lower_ : upper_)[place(j, i)] += M.transpose();
 }
 
 /// D = L U in place, without pivoting. The inverse is not formed: for a thread a million times stiffer along than across, a product with
@@ -139,22 +140,20 @@ BlockStore BandedBlocks::store() const noexcept {
   return {numbers(diagonal_), numbers(lower_), numbers(upper_), row_.data(), first_.data(), n_};
 }
 
-bool BandedBlocks::eliminate(uint32_t from, uint32_t to, bool symmetric) noexcept {
-  symmetric_ = symmetric;
+bool BandedBlocks::eliminate(uint32_t from, uint32_t to) noexcept {
   const BlockStore blocks = store();
   for (uint32_t k = from; k < to; ++k) {
     if (!split(diagonal_[k])) return false;
     const BlockColumn column{k, first_[k], first_[k + 1] - first_[k], update_.data() + first_update_[k],
                              update_.data() + first_update_[k + 1]};
-    fours_ ? eliminate_by_fours(blocks, column, symmetric) : eliminate_by_twos(blocks, column, symmetric);
+    fours_ ? eliminate_by_fours(blocks, column, symmetric_) : eliminate_by_twos(blocks, column, symmetric_);
   }
   return true;
 }
 
 bool BandedBlocks::factor_early() noexcept {
   negative_ = 0;
-  for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
-  if (!eliminate(0, early_, true)) return false;
+  if (!eliminate(0, early_)) return false;
   // the two halves of a block differ by rounding: the upper one counts, as in split()
   for (uint32_t k = early_; k < n_; ++k)
     for (int c = 0; c < 4; ++c)
@@ -166,21 +165,16 @@ bool BandedBlocks::factor_early() noexcept {
 }
 
 void BandedBlocks::take_late(bool symmetric) noexcept {
+  symmetric_ = symmetric;
   std::copy(late_diagonal_.begin() + done_, late_diagonal_.begin() + n_, diagonal_.begin() + done_);
   const uint32_t first = first_[done_], last = first_[n_];
   std::copy(late_lower_.begin() + first, late_lower_.begin() + last, lower_.begin() + first);
-  if (symmetric)
-    for (uint32_t e = first; e < last; ++e) upper_[e].setZero();
-  else
-    std::copy(late_lower_.begin() + first, late_lower_.begin() + last, upper_.begin() + first);
+  if (!symmetric) std::copy(late_lower_.begin() + first, late_lower_.begin() + last, upper_.begin() + first);
 }
 
-bool BandedBlocks::factor(bool symmetric) noexcept {
+bool BandedBlocks::factor() noexcept {
   negative_ = 0;
-  // symmetric: each block was added in one half or the other
-  if (symmetric)
-    for (uint32_t e = first_[done_]; e < first_[n_]; ++e) lower_[e] += upper_[e];
-  return eliminate(done_, n_, symmetric);
+  return eliminate(done_, n_);
 }
 
 void BandedBlocks::forward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept {
@@ -206,6 +200,11 @@ void BandedBlocks::solve_early(double* y) const noexcept { backward(0, early_, 0
 void BandedBlocks::solve_late(double* x) const noexcept {
   forward(early_, n_, early_, x);
   backward(early_, n_, early_, x);
+}
+
+void BandedBlocks::solve_four_late(double* X) const noexcept {
+  const Part late{early_, n_, early_};
+  fours_ ? solve_four_by_fours(store(), late, X) : solve_four_by_twos(store(), late, X);
 }
 
 void BandedBlocks::take_product(const double* x, double* r) const noexcept {

@@ -48,16 +48,17 @@ class BandedBlocks {
   }
   size_t early_work() const noexcept { return first_update_[early_] + 2 * size_t{first_[early_]} + early_; }
 
-  void set_zero() noexcept;
+  /// `symmetric`: that of the H that is added next, of which only the lower half is kept then.
+  void set_zero(bool symmetric) noexcept;
   /// H(a, b) += M. For a symmetric H the caller adds (a, b) or (b, a), not both; otherwise both, each by its own call.
   void add(uint32_t a, uint32_t b, const Block& M) noexcept;
 
   /// Eliminates all blocks that are not late from a symmetric H. False where it is not positive definite.
   bool factor_early() noexcept;
-  /// Takes the late blocks as factor_early() left them, for additions to them alone. `symmetric`: that of the next factor().
+  /// Takes the late blocks as factor_early() left them, for additions to them alone. `symmetric`: whether these are.
   void take_late(bool symmetric) noexcept;
-  /// Eliminates the late blocks, or all after set_zero(). False where a pivot is zero or not finite or, if `symmetric`, negative.
-  bool factor(bool symmetric) noexcept;
+  /// Eliminates the late blocks, or all after set_zero(). False where a pivot is zero or not finite or, of a symmetric H, negative.
+  bool factor() noexcept;
   /// x = H^-1 x, 4 numbers a block.
   void solve(double* x) const noexcept;
 
@@ -78,6 +79,8 @@ class BandedBlocks {
   void take_product(const double* x, double* r) const noexcept;
   /// After factor(): x = H^-1 x, of the late blocks alone.
   void solve_late(double* x) const noexcept;
+  /// The same of four vectors at once, side by side: four numbers to an unknown.
+  void solve_four_late(double* X) const noexcept;
   /// Uses registers of two doubles even where the machine has four: for the test that both give the same bits.
   void work_by_twos() noexcept { fours_ = false; }
   /// Number of negative pivots: odd where det H < 0.
@@ -91,7 +94,7 @@ class BandedBlocks {
   /// Index of the block at (row, column), both in elimination order.
   uint32_t& place(uint32_t row, uint32_t column) noexcept { return place_[size_t{row} * n_ + column]; }
   bool split(Block& D) noexcept;
-  bool eliminate(uint32_t from, uint32_t to, bool symmetric) noexcept;
+  bool eliminate(uint32_t from, uint32_t to) noexcept;
   void forward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept;
   void backward(uint32_t from, uint32_t to, uint32_t base, double* y) const noexcept;
   uint64_t* line(uint32_t i) noexcept { return near_.data() + size_t{i} * words_; }
@@ -104,7 +107,7 @@ class BandedBlocks {
   uint32_t n_ = 0;
   uint32_t early_ = 0, done_ = 0;  // blocks that are not late; those that are eliminated for good
   size_t updates_ = 0;
-  bool symmetric_ = true;
+  bool symmetric_ = true;  // of what is added: one half is kept then, the lower
   uint32_t negative_ = 0;
   bool fours_ = toolkit::has_fours();
   std::vector<uint64_t> near_;              // neighbours of each block, one bit each

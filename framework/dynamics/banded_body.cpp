@@ -111,14 +111,20 @@ void BandedBody::take_factors() noexcept {
   std::fill_n(factors_.column(n), SWAGE_BAND_REACH * SWAGE_BAND_COLUMN, 0.0);
 }
 
-/// Solves in place. Leading zeros of x stay 0 and are skipped.
-void BandedBody::solve(double* x) const noexcept {
+/// Number of leading zeros of x in the order of the factors, which substitution skips.
+int BandedBody::first_of(const double* x) const noexcept {
   const auto n = static_cast<int>(unknowns());
   const int way = from_last_ ? -1 : 1;
   const double* at = from_last_ ? x + n - 1 : x;
   int first = 0;
   for (; first < n && *at == 0; ++first) at += way;
-  if (first == n) return;
+  return first;
+}
+
+/// Solves in place.
+void BandedBody::solve(double* x) const noexcept {
+  const int first = first_of(x);
+  if (first == static_cast<int>(unknowns())) return;
   from_last_ ? factors_.solve_reversed(x, first) : factors_.solve(x, first);
 }
 
@@ -149,16 +155,15 @@ const double* BandedBody::column(uint32_t vertex, uint32_t least, uint32_t most)
 void BandedBody::find_blocks() noexcept {
   has_blocks_ = true;
   for (uint32_t j = 0; j < vertices_; ++j)
-    for (uint32_t below = 0; below < 3 && j + below < vertices_; ++below) {
-      BandedBlocks::Block& M = block_[3 * j + below];
-      for (int c = 0; c < 4; ++c) {
-        const int column = static_cast<int>(4 * j) + c;
-        for (int r = 0; r < 4; ++r) {
-          const int row = static_cast<int>(4 * (j + below)) + r, low = std::max(row, column),
-                    high = std::min(row, column);
-          M(r, c) = low - high <= SWAGE_BAND_REACH ? A_.at(low, high) : 0;
-        }
-      }
+    for (int c = 0; c < 4; ++c) {
+      const int column = static_cast<int>(4 * j) + c;
+      const double* a = A_.column(column);
+      // what lies beyond the reach is the zero at the end of the column
+      double* M = block_[3 * j].data() + 4 * c;
+      for (int r = 0; r < c; ++r) M[r] = A_.at(column, column - c + r);
+      for (int r = c; r < 4; ++r) M[r] = a[r - c];
+      if (j + 1 < vertices_) std::copy_n(a + 4 - c, 4, block_[3 * j + 1].data() + 4 * c);
+      if (j + 2 < vertices_) std::copy_n(a + 8 - c, 4, block_[3 * j + 2].data() + 4 * c);
     }
 }
 
@@ -192,10 +197,8 @@ void BandedBody::to_free(double* d) const noexcept {
 
 double BandedBody::merit(const double* F) const noexcept {
   std::copy_n(F, unknowns(), line_.begin());
-  solve(line_.data());
-  double sum = 0;
-  for (uint32_t i = 0; i < unknowns(); ++i) sum += F[i] * line_[i];
-  return sum;
+  const int first = first_of(F);
+  return from_last_ ? factors_.inverse_form_reversed(line_.data(), first) : factors_.inverse_form(line_.data(), first);
 }
 
 Vec3 BandedBody::moved(const contact::ChainPlace& at, const Vec3& turn, const double* q) noexcept {

@@ -84,6 +84,7 @@ class BandedBody {
   void hold() noexcept;
   void take_factors() noexcept;
   void solve(double* x) const noexcept;
+  int first_of(const double* x) const noexcept;
   void find_blocks() noexcept;
 
   const uint32_t object_, vertices_;

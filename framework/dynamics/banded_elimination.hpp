@@ -149,6 +149,45 @@ template <class V>
   }
 }
 
+/// X <- (L U)^-1 X, four vectors side by side: a line of four numbers to each unknown.
+template <class V>
+[[gnu::always_inline]] inline void solve_four(const BlockStore& s, const Part& part, double* X) noexcept {
+  const auto at = [&](uint32_t k) { return X + kBlock * size_t{k - part.base}; };
+  Line<V> x[4], of[4];
+  for (uint32_t k = part.from; k < part.to; ++k) {
+    const double* D = s.diagonal + kBlock * k;
+    for (int r = 0; r < 4; ++r) {
+      x[r].load(at(k) + 4 * r);
+      for (int c = 0; c < r; ++c) x[r].take(D[r + 4 * c], x[c]);
+      x[r].store(at(k) + 4 * r);
+    }
+    for (uint32_t e = s.first[k]; e < s.first[k + 1]; ++e) {
+      const double* L = s.lower + kBlock * e;
+      double* to = at(s.row[e]);
+      for (int r = 0; r < 4; ++r) {
+        of[r].load(to + 4 * r);
+        for (int c = 0; c < 4; ++c) of[r].take(L[r + 4 * c], x[c]);
+        of[r].store(to + 4 * r);
+      }
+    }
+  }
+  for (uint32_t k = part.to; k-- > part.from;) {
+    const double* D = s.diagonal + kBlock * k;
+    for (int r = 0; r < 4; ++r) x[r].load(at(k) + 4 * r);
+    for (uint32_t e = s.first[k]; e < s.first[k + 1]; ++e) {
+      const double* U = s.upper + kBlock * e;
+      for (int r = 0; r < 4; ++r) of[r].load(at(s.row[e]) + 4 * r);
+      for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) x[c].take(U[r + 4 * c], of[r]);
+    }
+    for (int r = 4; r-- > 0;) {
+      for (int c = r + 1; c < 4; ++c) x[r].take(D[r + 4 * c], x[c]);
+      x[r].divide(D[5 * r]);
+      x[r].store(at(k) + 4 * r);
+    }
+  }
+}
+
 /// y <- y - S x, S symmetric, given by its diagonal and the blocks below; both vectors begin with block `base`.
 template <class V>
 [[gnu::always_inline]] inline void take_symmetric(const BlockStore& s, const Part& part, const double* x, double* y) noexcept {
@@ -183,6 +222,13 @@ SWAGE_FOURS inline void backward_by_fours(const BlockStore& s, const Part& part,
   elimination::backward<toolkit::Fours>(s, part, y);
 }
 inline void backward_by_twos(const BlockStore& s, const Part& part, double* y) noexcept { elimination::backward<toolkit::Twos>(s, part, y); }
+
+SWAGE_FOURS inline void solve_four_by_fours(const BlockStore& s, const Part& part, double* X) noexcept {
+  elimination::solve_four<toolkit::Fours>(s, part, X);
+}
+inline void solve_four_by_twos(const BlockStore& s, const Part& part, double* X) noexcept {
+  elimination::solve_four<toolkit::Twos>(s, part, X);
+}
 
 SWAGE_FOURS inline void take_symmetric_by_fours(const BlockStore& s, const Part& part, const double* x, double* y) noexcept {
   elimination::take_symmetric<toolkit::Fours>(s, part, x, y);

@@ -90,6 +90,15 @@ inline bool stiffens(const Tangent& D) { return D.nn != 0 || D.t11 != 0 || D.t22
 
 class Space;
 
+/// What a path meets along the direction from where it is.
+struct Bend {
+  uint32_t constraint = UINT32_MAX;  // that comes to the end of its piece; none: the direction leads to where F would vanish
+  Pieces next;                       // of that constraint, beyond
+  double fraction = 1;               // of the direction, at which it does
+  double far = 0;                    // m, length of the direction
+  bool down = true;                  // the direction leads down |F|; else it was reversed
+};
+
 class IslandSolver {
  public:
   /// Constraints of an island with threads whose path is followed: a longer one uses up the budget.
@@ -138,8 +147,11 @@ class IslandSolver {
   bool follow_path_near(const Island& island, const Scales& scales, bool consistent) noexcept;
   void evaluate_pieces(const Island& island, const double* z) noexcept;
   bool search_direction_on_pieces(const Island& island) noexcept;
+  bool correct_direction_on_pieces(const Island& island, uint32_t changed) noexcept;
+  bool look_ahead(const Island& island, Bend& bend, bool may_turn) noexcept;
+  bool find_bend(const Island& island, Bend& bend, bool may_turn) noexcept;
   uint32_t first_kink(const Island& island, uint32_t passed, bool turns, double& fraction, Pieces& next) const noexcept;
-  bool whole_step(const Island& island, double far, double tolerance) noexcept;
+  bool whole_step(const Island& island, double far, double tolerance, double& merit) noexcept;
   bool on_their_pieces(const Island& island, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
   bool minimise(const Island& island, double tolerance) noexcept;

@@ -31,11 +31,19 @@ void IslandSolver::evaluate_pieces(const Island& island, const double* z) noexce
   space_->residual(z);
 }
 
-/// Newton's direction on the present pieces. follow_path() reverses it where det H < 0.
+/// Newton's direction on the present pieces. find_bend() reverses it where det H < 0.
 bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
   for (Constraint& constraint : island.constraints) constraint.D = tangent_on(constraint, constraint.u);
   law_ = false;
   const bool there = space_->search_direction(z_.data(), false, step_.data());
+  newton_ += there;
+  return there;
+}
+
+/// The same where one constraint has come to another piece, with the tangents of all others as they were when the system was factored.
+bool IslandSolver::correct_direction_on_pieces(const Island& island, uint32_t changed) noexcept {
+  const Constraint& c = island.constraints[changed];
+  const bool there = space_->corrected_direction(z_.data(), changed, tangent_on(c, c.u), step_.data());
   newton_ += there;
   return there;
 }
@@ -59,14 +67,41 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool tu
   return hit;
 }
 
-/// Newton step to where F would vanish, halved while |F| does not fall. True when the whole step was taken.
-bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
-  const double now = far <= tolerance ? 0 : space_->merit();
+/// Length and sign of the direction, and the bend that comes first along it. `bend` [in]: that which was passed last.
+bool IslandSolver::find_bend(const Island& island, Bend& bend, bool may_turn) noexcept {
+  bend.down = space_->sign() > 0;
+  if (!bend.down)
+    for (size_t k = 0; k < point_size_; ++k) step_[k] = -step_[k];
+  bend.far = space_->length(step_.data());
+  if (!std::isfinite(bend.far)) return false;
+  bend.fraction = bend.down ? 1 : HUGE_VAL;
+  space_->set_search_direction(step_.data());
+  bend.constraint = first_kink(island, bend.constraint, bend.down && may_turn, bend.fraction, bend.next);
+  return true;
+}
+
+/// The direction from z and the next bend along it. After a bend the last factors are corrected for it, which is enough to find the next one; where the
+/// path ends, or may end, they are computed anew.
+bool IslandSolver::look_ahead(const Island& island, Bend& bend, bool may_turn) noexcept {
+  const uint32_t passed = bend.constraint;
+  if (passed != UINT32_MAX && correct_direction_on_pieces(island, passed) && find_bend(island, bend, may_turn) &&
+      bend.constraint != UINT32_MAX)
+    return true;
+  bend.constraint = passed;
+  return search_direction_on_pieces(island) && find_bend(island, bend, may_turn);
+}
+
+/// Newton step to where F would vanish, halved while |F| does not fall. True when the whole step was taken. `merit`: that of z; negative: not known.
+bool IslandSolver::whole_step(const Island& island, double far, double tolerance, double& merit) noexcept {
+  const bool last = far <= tolerance;
+  const double now = last ? 0 : merit < 0 ? space_->merit() : merit;
   double fraction = 1;
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);
     evaluate_pieces(island, trial_.data());
-    if (far <= tolerance || k == kTurnHalvings || space_->merit() <= now) break;
+    if (last) break;
+    merit = space_->merit();
+    if (k == kTurnHalvings || merit <= now) break;
   }
   z_.swap(trial_);
   return fraction == 1;
@@ -91,30 +126,23 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
   space_->displace(z_.data());
   for (Constraint& constraint : island.constraints) constraint.on = pieces(constraint, constraint.u);
   evaluate_pieces(island, z_.data());
-  uint32_t passed = UINT32_MAX;
   const uint32_t steps = island.banded ? kBandedPathSteps : kPathSteps;
+  Bend bend;
+  double merit = -1;
   for (uint32_t i = 0; i < steps; ++i) {
-    if (over_budget() || !search_direction_on_pieces(island)) return false;
-    const bool down = space_->sign() > 0;
-    if (!down)
-      for (size_t k = 0; k < point_size_; ++k) step_[k] = -step_[k];
-    const double far = space_->length(step_.data());
-    if (!std::isfinite(far)) return false;
-
-    double fraction = down ? 1 : HUGE_VAL;
-    Pieces next;
-    space_->set_search_direction(step_.data());
-    passed = first_kink(island, passed, down && island.banded && i < kTurningSteps, fraction, next);
-    if (passed != UINT32_MAX) {
-      advance(fraction);
+    if (over_budget() || !look_ahead(island, bend, island.banded && i < kTurningSteps)) return false;
+    if (bend.constraint != UINT32_MAX) {
+      advance(bend.fraction);
       z_.swap(trial_);
-      island.constraints[passed].on = next;
+      island.constraints[bend.constraint].on = bend.next;
       evaluate_pieces(island, z_.data());
-    } else if (!down) {
+      merit = -1;
+    } else if (!bend.down) {
       return false;  // no kink ahead: the path does not return
-    } else if (whole_step(island, far, tolerance) && far <= tolerance) {
+    } else if (whole_step(island, bend.far, tolerance, merit) && bend.far <= tolerance) {
       if (on_their_pieces(island, tolerance)) return true;
       evaluate_pieces(island, z_.data());
+      merit = -1;
     }
   }
   return false;

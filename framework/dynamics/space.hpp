@@ -16,6 +16,7 @@
 namespace swage::dynamics {
 
 struct Island;
+struct Tangent;
 
 class Space {
  public:
@@ -33,6 +34,11 @@ class Space {
   virtual double merit() noexcept = 0;
   /// Newton's step from z, by u, f and D of every constraint; after residual(). `same`: every D is that of the last call.
   virtual bool search_direction(const double* z, bool same, double* step) noexcept = 0;
+  /// The same with D in place of the tangent of one constraint, all others those of the last search_direction() or as this set them since. False where
+  /// there is no such direction, or none that costs less than a new one.
+  virtual bool corrected_direction(const double* /*z*/, uint32_t /*constraint*/, const Tangent& /*D*/, double* /*step*/) noexcept {
+    return false;
+  }
   /// Sign of det H of the last direction.
   virtual int sign() const noexcept = 0;
 

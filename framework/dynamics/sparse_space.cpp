@@ -27,7 +27,8 @@ Mat3 matrix(const Tangent& D) noexcept {
 }  // namespace
 
 SparseSpace::SparseSpace(uint32_t max_unknowns, const SparseRoom& room)
-    : H_(max_unknowns + room.vertices, kFill * (max_unknowns + room.vertices)) {
+    : H_(max_unknowns + room.vertices, kFill * (max_unknowns + room.vertices)),
+      correction_(size_t{4} * (max_unknowns + room.vertices)) {
   const size_t blocks = size_t{max_unknowns} + room.vertices;
   first_.reserve(blocks), sides_.reserve(room.constraints), contact_.reserve(room.constraints);
   // the band, bodies, and up to four blocks on either side of each constraint
@@ -78,7 +79,7 @@ bool SparseSpace::analyse() noexcept {
 
 /// Fills H_ with what does not change in a solve, and eliminates what nothing touches.
 bool SparseSpace::eliminate_early() noexcept {
-  H_.set_zero();
+  H_.set_zero(true);
   for (uint32_t m = 0; m < first_.size(); ++m) add_block(m);
   work += 64 * H_.early_work();
   return H_.factor_early();
@@ -251,14 +252,14 @@ bool SparseSpace::assemble(const double* z) noexcept {
     if (stiffens(D)) add_contact(H_, contact_[i], matrix(D), symmetric_);
   }
   work += 64 * (symmetric_ ? 1 : 2) * H_.late_work() + 1000 * contact_.size();
-  return H_.factor(symmetric_);
+  return H_.factor();
 }
 
 bool SparseSpace::search_direction(const double* z, bool same, double* step) noexcept {
   if (!ready_) return false;
-  for (uint32_t m = 0; m < first_.size(); ++m)
-    if (DofBlock& block = *island_->blocks[m]; block.kind == DofBlock::Kind::kHinge) same = block.update_drive(z[in_z(first_[m])]) && same;
+  same = same_drives(z) && same;
   if (!same || !factored_) factored_ = assemble(z);
+  correction_.clear();
   if (!factored_) return false;
   work += 32 * H_.late_fill() + 8 * size_;
   for (size_t i = 0; i < size_; ++i) step[i] = -F_[i];
@@ -266,6 +267,25 @@ bool SparseSpace::search_direction(const double* z, bool same, double* step) noe
   return true;
 }
 
-int SparseSpace::sign() const noexcept { return H_.negative_pivots() % 2 == 0 ? 1 : -1; }
+bool SparseSpace::corrected_direction(const double* z, uint32_t constraint, const Tangent& D, double* step) noexcept {
+  if (!ready_ || !factored_ || !same_drives(z)) return false;
+  const Tangent& then = island_->constraints[constraint].D;
+  const double E[3][3] = {{D.nn - then.nn, 0, 0},
+                          {D.n1 - then.n1, D.t11 - then.t11, D.t12 - then.t12},
+                          {D.n2 - then.n2, D.t12 - then.t12, D.t22 - then.t22}};
+  work += 128 * H_.late_fill() + 32 * size_;
+  for (size_t i = 0; i < size_; ++i) step[i] = -F_[i];
+  return correction_.solve(H_, contact_, constraint, E, step, size_);
+}
+
+/// Sets the drives of hinges to the pieces that they are on at z. True when none changed.
+bool SparseSpace::same_drives(const double* z) noexcept {
+  bool same = true;
+  for (uint32_t m = 0; m < first_.size(); ++m)
+    if (DofBlock& block = *island_->blocks[m]; block.kind == DofBlock::Kind::kHinge) same = block.update_drive(z[in_z(first_[m])]) && same;
+  return same;
+}
+
+int SparseSpace::sign() const noexcept { return correction_.sign() * (H_.negative_pivots() % 2 == 0 ? 1 : -1); }
 
 }  // namespace swage::dynamics

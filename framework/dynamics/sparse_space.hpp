@@ -20,6 +20,7 @@
 #include "dynamics/banded_blocks.hpp"
 #include "dynamics/island.hpp"
 #include "dynamics/space.hpp"
+#include "dynamics/sparse_correction.hpp"
 #include "dynamics/sparse_room.hpp"
 
 namespace swage::dynamics {
@@ -35,6 +36,7 @@ class SparseSpace final : public Space {
   void residual(const double* z) noexcept override;
   double merit() noexcept override;
   bool search_direction(const double* z, bool same, double* step) noexcept override;
+  bool corrected_direction(const double* z, uint32_t constraint, const Tangent& D, double* step) noexcept override;
   int sign() const noexcept override;
   void set_search_direction(const double* step) noexcept override;
   double slope(const double* z, const double* step) noexcept override;
@@ -51,6 +53,7 @@ class SparseSpace final : public Space {
   void condense_residual() noexcept;
   void add_block(uint32_t block) noexcept;
   void forces_of_blocks(const double* z) noexcept;
+  bool same_drives(const double* z) noexcept;
   bool assemble(const double* z) noexcept;
   Displacement along(const BlockContact& c, const double* z) const noexcept;
   /// First number of a block of H_ in z.
@@ -61,6 +64,7 @@ class SparseSpace final : public Space {
 
   const Island* island_ = nullptr;
   BandedBlocks H_;
+  SparseCorrection correction_;
   bool ready_ = false, symmetric_ = true;
   bool factored_ = false;        // H_ holds the factors of the last system
   std::vector<uint32_t> first_;  // block of H_ of each block of the island

@@ -104,7 +104,7 @@ struct Scene {
 };
 
 inline Eigen::VectorXd by_blocks(Scene& k) {
-  k.H.set_zero();
+  k.H.set_zero(true);
   dynamics::add_band(k.H, 0, k.A, true);
   dynamics::BandedBlocks::Block M = dynamics::BandedBlocks::Block::Identity();
   for (int half = 0; half < 2; ++half) {
@@ -113,7 +113,7 @@ inline Eigen::VectorXd by_blocks(Scene& k) {
   }
   for (const Contact& c : k.all) dynamics::add_contact(k.H, c.a, c.b, c.D, true);
   Eigen::VectorXd x = k.right;
-  if (!k.H.factor(true)) x.setConstant(std::nan(""));
+  if (!k.H.factor()) x.setConstant(std::nan(""));
   k.H.solve(x.data());
   return x;
 }

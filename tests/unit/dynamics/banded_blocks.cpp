@@ -9,92 +9,17 @@
 #include <random>
 
 #include "dynamics/banded_assembly.hpp"
+#include "random_system.hpp"
 #include "toolkit/rod.hpp"
 
 namespace swage::dynamics {
 namespace banded_blocks_test {
 
-using toolkit::Mat3;
-using toolkit::Vec3;
-
-/// A thread of n nodes with one rigid body, contacts between both and of the thread with itself; and the same densely. `early`: blocks
-/// that no contact touches have been eliminated before the contacts were added.
-struct Knot {
-  Knot(uint32_t n, uint32_t contacts, bool symmetric, unsigned seed, bool early = false)
-      : random(seed), band(static_cast<int>(4 * n - 1)), blocks(n + 2, 4 * n * 16) {
-    for (int j = 0; j < band.size(); ++j)
-      for (int i = j; i < std::min(band.size(), j / 4 * 4 + 11); ++i)
-        band.at(i, j) = i == j ? 12 + any(random) : any(random);
-    std::vector<BandedBlocks::Pair> pairs;
-    for (uint32_t i = 0; i < n; ++i)
-      for (uint32_t k = 1; k < 3 && i + k < n; ++k) pairs.push_back({i + k, i});
-    pairs.push_back({n, n + 1});
-    const int size = static_cast<int>(4 * n + 8);
-    dense = Eigen::MatrixXd::Zero(size, size);
-    for (int j = 0; j < band.size(); ++j)
-      for (int i = j; i < std::min(band.size(), j + 11); ++i) dense(i, j) = dense(j, i) = band.at(i, j);
-    for (const int idle :
-         {static_cast<int>(4 * n - 1), static_cast<int>(4 * n + 3), static_cast<int>(4 * n + 7)})
-      dense(idle, idle) = 1;
-    struct Contact {
-      BlockPoint a, b;
-      Mat3 D;
-    };
-    std::vector<Contact> all;
-    for (uint32_t k = 0; k < contacts; ++k) {
-      Contact c;
-      const auto node = [&] { return static_cast<uint32_t>(random() % (n - 1)); };
-      c.a = thread_point(0, node(), 0.3, Vec3::UnitX(), Vec3(0, 0.1, 0));
-      if (k % 3 == 0) c.b = body_point(n, Vec3(any(random), any(random), 1));
-      if (k % 3 == 1) c.b = thread_point(0, node(), 0.6, Vec3::UnitY(), Vec3(0.1, 0, 0.2));
-      c.D = Mat3::Identity() * 3;
-      if (!symmetric) c.D(1, 0) = 0.9;
-      for (const BlockPoint* p : {&c.a, &c.b})
-        for (uint32_t i = 0; i < p->size; ++i)
-          for (const BlockPoint* q : {&c.a, &c.b})
-            for (uint32_t j = 0; j < q->size; ++j) pairs.push_back({p->block[i], q->block[j]});
-      Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, size);
-      for (uint32_t i = 0; i < c.a.size; ++i) J.middleCols(4 * c.a.block[i], 4) += c.a.J[i];
-      for (uint32_t i = 0; i < c.b.size; ++i) J.middleCols(4 * c.b.block[i], 4) -= c.b.J[i];
-      dense += J.transpose() * c.D * J;
-      all.push_back(c);
-    }
-    std::vector<uint8_t> late(early ? n + 2 : 0);
-    for (const Contact& c : all)
-      for (const BlockPoint* p : {&c.a, &c.b})
-        for (uint32_t i = 0; early && i < p->size; ++i) late[p->block[i]] = 1;
-    EXPECT_TRUE(blocks.analyse(n + 2, pairs, late));
-    blocks.set_zero();
-    add_band(blocks, 0, band, symmetric || early);
-    BandedBlocks::Block body = BandedBlocks::Block::Identity();
-    body.topLeftCorner<3, 3>() *= 2;
-    for (uint32_t k = 0; k < 2; ++k) {
-      blocks.add(n + k, n + k, body);
-      for (int r = 0; r < 3; ++r)
-        dense(static_cast<int>(4 * (n + k)) + r, static_cast<int>(4 * (n + k)) + r) += 2;
-    }
-    if (early) {
-      EXPECT_TRUE(blocks.factor_early());
-      // a direction with other stiffnesses, then that which is asked for
-      blocks.take_late(!symmetric);
-      for (const Contact& c : all) add_contact(blocks, c.a, c.b, 7 * Mat3::Identity(), !symmetric);
-      EXPECT_TRUE(blocks.factor(!symmetric));
-      blocks.take_late(symmetric);
-    }
-    for (const Contact& c : all) add_contact(blocks, c.a, c.b, c.D, symmetric);
-  }
-  std::mt19937 random;
-  std::uniform_real_distribution<double> any{-1, 1};
-  toolkit::Band<10> band;
-  BandedBlocks blocks;
-  Eigen::MatrixXd dense;
-};
-
 TEST(BandedBlocks, WithWhatNothingTouchesEliminatedOnceSolveAsADenseMatrixDoes) {
   for (const bool symmetric : {true, false})
     for (const uint32_t contacts : {0u, 1u, 4u, 12u, 60u}) {
       Knot k(30, contacts, symmetric, contacts + 1, true);
-      ASSERT_TRUE(k.blocks.factor(symmetric)) << contacts;
+      ASSERT_TRUE(k.blocks.factor()) << contacts;
       const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
       Eigen::VectorXd x = b;
       k.blocks.solve(x.data());
@@ -129,7 +54,7 @@ TEST(BandedBlocks, WithoutWhatNothingTouchesSolveAsADenseMatrixDoes) {
     EXPECT_LT((r + S * x).norm(), 1e-11 * r.norm());
 
     // H^-1 b in three parts
-    ASSERT_TRUE(k.blocks.factor(false));
+    ASSERT_TRUE(k.blocks.factor());
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
     Eigen::VectorXd y = b(all);
     k.blocks.condense(y.data());
@@ -139,11 +64,29 @@ TEST(BandedBlocks, WithoutWhatNothingTouchesSolveAsADenseMatrixDoes) {
   }
 }
 
+TEST(BandedBlocks, FourVectorsAtOnceAreSolvedForAsOneIs) {
+  for (const bool symmetric : {true, false}) {
+    Knot k(60, 9, symmetric, 5, true), by_twos(60, 9, symmetric, 5, true);
+    by_twos.blocks.work_by_twos();
+    ASSERT_TRUE(k.blocks.factor() && by_twos.blocks.factor());
+    const Eigen::Index n = 4 * (k.blocks.blocks() - k.blocks.early());
+    Eigen::Matrix<double, 4, Eigen::Dynamic> X = Eigen::Matrix<double, 4, Eigen::Dynamic>::Random(4, n), Y = X;
+    const Eigen::MatrixXd B = X;
+    k.blocks.solve_four_late(X.data()), by_twos.blocks.solve_four_late(Y.data());
+    EXPECT_EQ(X, Y);
+    for (int r = 0; r < 4; ++r) {
+      Eigen::VectorXd x = B.row(r);
+      k.blocks.solve_late(x.data());
+      EXPECT_LT((X.row(r).transpose() - x).norm(), 1e-13 * x.norm()) << r;
+    }
+  }
+}
+
 TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
   for (const bool symmetric : {true, false})
     for (const uint32_t contacts : {0u, 1u, 12u, 60u, 200u}) {
       Knot k(30, contacts, symmetric, contacts + 1);
-      ASSERT_TRUE(k.blocks.factor(symmetric)) << contacts;
+      ASSERT_TRUE(k.blocks.factor()) << contacts;
       const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
       Eigen::VectorXd x = b;
       k.blocks.solve(x.data());
@@ -157,7 +100,7 @@ TEST(BandedBlocks, HaveTheSameBitsAtEveryWidthOfRegisters) {
   for (const bool symmetric : {true, false}) {
     Knot k(30, 60, symmetric, 7), by_twos(30, 60, symmetric, 7);
     by_twos.blocks.work_by_twos();
-    ASSERT_TRUE(k.blocks.factor(symmetric) && by_twos.blocks.factor(symmetric));
+    ASSERT_TRUE(k.blocks.factor() && by_twos.blocks.factor());
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
     Eigen::VectorXd x = b, y = b;
     k.blocks.solve(x.data()), by_twos.blocks.solve(y.data());
@@ -222,7 +165,7 @@ TEST(BandedBlocks, LoseNothingBesideTiesToALightBody) {
     for (const uint32_t k : {61u, 62u}) pairs.push_back({i, k});
   BandedBlocks H(kNodes + 2, 40 * (kNodes + 2));
   ASSERT_TRUE(H.analyse(kNodes + 2, pairs));
-  H.set_zero();
+  H.set_zero(true);
   using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   using Numbers = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   Matrix exact = Matrix::Zero(kUnknowns, kUnknowns);
@@ -252,7 +195,7 @@ TEST(BandedBlocks, LoseNothingBesideTiesToALightBody) {
   tie(s.node(0), 0, Vec3::Zero(), Vec3(0, 1, 1));
   tie(kWire * Vec3::UnitY(), 0.5, kWire * Vec3::UnitY(), Vec3(0, 0, 1));
 
-  ASSERT_TRUE(H.factor(true));
+  ASSERT_TRUE(H.factor());
   const Eigen::PartialPivLU<Matrix> inverse(exact);
   for (const int pushed : {2, 4 * 40 + 1, 4 * kNodes + 2, 4 * kNodes + 4}) {
     const Numbers f = 1e-6L * Numbers::Unit(kUnknowns, pushed), x = inverse.solve(f);
@@ -273,10 +216,10 @@ TEST(BandedBlocks, TellAnIndefiniteSystem) {
   BandedBlocks::Block M = BandedBlocks::Block::Zero();
   M(1, 1) = -1000;
   k.blocks.add(17, 17, M);
-  EXPECT_FALSE(k.blocks.factor(true));
+  EXPECT_FALSE(k.blocks.factor());
   Knot other(30, 0, false, 1);
   other.blocks.add(17, 17, M);
-  EXPECT_TRUE(other.blocks.factor(false));
+  EXPECT_TRUE(other.blocks.factor());
   EXPECT_EQ(other.blocks.negative_pivots() % 2, 1u);
 }
 
