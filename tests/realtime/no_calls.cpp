@@ -59,7 +59,7 @@ TEST_P(WholeScene, CallsNothingThatMayBlock) {
     reset.kind = step::CommandKind::kResetObject;
     reset.object = 1;
     attempt.loop().command(reset);
-    for (int i = 0; i < 100; ++i) attempt.loop().pointer({});
+    for (int i = 0; i < 100; ++i) attempt.loop().pointer({}, 0);
     const Calls c = play(attempt, 30000, ticks);
     EXPECT_GT(ticks, 1000);
     EXPECT_EQ(c.heap, 0u);
