@@ -69,11 +69,8 @@ bool SparseCorrection::correct(std::span<const BlockContact> contacts, double* x
   double M[9 * kMost * kMost], b[3 * kMost], y[3 * kMost];
   uint32_t row[3 * kMost];
   for (uint32_t a = 0; a < n_; ++a) {
-    const BlockContact& c = contacts[change_[a].constraint];
-    double u[3] = {};
-    for (uint32_t k = 0; k < c.size; ++k)
-      for (uint32_t i = 0; i < 4; ++i)
-        for (int r = 0; r < 3; ++r) u[r] += c.row[k][r][i] * x[c.at[k] + i];
+    double u[4];
+    assembly::displace<toolkit::Twos>(contacts[change_[a].constraint], x, u);
     for (uint32_t r = 0; r < 3; ++r) {
       const double* E = change_[a].E[r];
       const size_t at = 3 * a + r;
