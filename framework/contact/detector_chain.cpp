@@ -104,6 +104,9 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
 
   Query query = query_of(world, pair, margin + moves);
   query.piece = true, query.line_points = kPiecePoints;
+  const Part& wire = a.chain != nullptr ? a : b;
+  query.piece_before = wire.segment > 0 && wire.chain->there(wire.segment - 1);
+  query.piece_after = wire.chain->there(wire.segment + 1);
   // a sphere touches in one point, where it is at the end of the step
   if (a.sphere || b.sphere) query.piece = query.goes_on = query.goes_on_after = false, query.flatness = 0;
   const bool swept = collide_parts(a, b, moves, query, world.length);

@@ -31,6 +31,7 @@ struct Query {
   bool goes_on = false;
   bool goes_on_after = false;  // the same at its end, whose minimum this solid reports
   bool piece = false;  // the wire is one of the pieces of a chain
+  bool piece_before = false, piece_after = false;  // the chain has another one before its start, after its end
 };
 
 /// The contact points of one pair of shapes. A needle against a jaw has 1 to 6.

@@ -70,17 +70,18 @@ class Writer {
   }
   double flat_length(int k) const { return (1 - sharp_[at(k)]) * length_[at(k)]; }
 
-  /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, it is followed along its
-  /// tangent to the border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um inside the edge of a jaw would touch at
-  /// a point beside its line, at the cut or at the edge by the sign of its tilt, and rock from step to step.
+  /// Length of the wire over the region of a piece [m]. Where the wire continues over a face as another solid, or as another piece of its
+  /// chain, it is followed along its tangent to the border of the region, at most by a radius. By the length of the piece alone, a wire cut 30 um
+  /// inside the edge of a jaw, or a thread with a vertex there, would touch at a point beside its line, at the cut or at the edge by the sign of its
+  /// tilt, and rock from step to step.
   double length_over_region(int k) const {
     const Piece<Place>& piece = walk_.pieces()[k];
     double length = length_[at(k)];
     if (piece.region.kind == Region::kEdge) return length;  // across an edge, or along a segment of a thread, it is one touch
     const auto is = [](Place place, Place end) { return Curve::order(place) == Curve::order(end); };
-    if (query_.goes_on && is(piece.from, curve_.stretch(0).from))
+    if ((query_.goes_on || query_.piece_before) && is(piece.from, curve_.stretch(0).from))
       length += ahead(piece.region, curve_.point(piece.from), -curve_.tangent(piece.from));
-    if (query_.goes_on_after && is(piece.to, curve_.stretch(curve_.stretches() - 1).to))
+    if ((query_.goes_on_after || query_.piece_after) && is(piece.to, curve_.stretch(curve_.stretches() - 1).to))
       length += ahead(piece.region, curve_.point(piece.to), curve_.tangent(piece.to));
     return length;
   }

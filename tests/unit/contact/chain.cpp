@@ -251,6 +251,33 @@ TEST(Chain, AContactGoesOverAVertexWithoutAJump) {
   EXPECT_LT(worst, 0.15) << "of the force; without shares it doubles";
 }
 
+/// Sum of the weights of the contacts that the first piece of a thread has with the lower jaw, which is 0.5 mm wide there. The thread lies across it with 1 um
+/// overlap; its first vertex but one is `inside` [m] of the jaw's edge, and the piece before that is tilted by `tilt` [rad].
+double weight_beside_edge(double inside, double tilt) {
+  constexpr double kHalf = 0.25e-3, kThick = 22e-6, kLength = 0.4e-3;  // m
+  scene::World w;
+  w.convex = {bench::convex(bench::jaw(-1))};
+  scene::Shape jaw = bench::convex_shape();
+  jaw.convex = 0;
+  add_shape(w, jaw, 0);
+  const Vec3 inner(bench::Jaw::kGrip, -kHalf + inside, kThick - 1e-6);
+  add_chain(w, {inner + kLength * Vec3(0, -std::cos(tilt), std::sin(tilt)), inner, inner + Vec3(0, kLength, 0), inner + Vec3(0, 2 * kLength, 0)},
+            kThick, kBend, 1);
+  double sum = 0;
+  for (const Contact& c : detect(w, {joins(0, 1)}).contact) {
+    const ChainPlace& place = c.place_a.segment != scene::kNone ? c.place_a : c.place_b;
+    sum += place.segment == 0 ? c.weight : 0;
+  }
+  return sum;
+}
+
+// The piece that leaves the jaws is over the pad by a few micrometres only. A point there, with the weight of a whole touch, would come and go with the
+// sign of its tilt: a thread pinched by two jaws turned from one to the other and back, step by step.
+TEST(Chain, APieceThatLeavesTheJawsTouchesAlongItsShareOfTheLine) {
+  for (const double inside : {7e-6, 12e-6, 20e-6, 40e-6})
+    for (const double tilt : {-0.05, -1e-3, 1e-3, 0.05}) EXPECT_LT(weight_beside_edge(inside, tilt), 0.1) << inside << ", " << tilt;
+}
+
 TEST(Chain, SavesWhereItsContactsAre) {
   scene::World w;
   add_chain(w, {{-1e-3, 0, 0}, {0, 0, 0}, {1e-3, 0, 0}}, kRadius, kBend, 0);
