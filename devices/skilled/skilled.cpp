@@ -315,6 +315,7 @@ void Skilled::set_goal(const Act& act) {
       const Vec3 d = from_.p - seen_.tip_W;
       about_W_ = seen_.tip_W, about_axis_W_ = seen_.axis_W;
       radius_ = (d - d.dot(about_axis_W_) * about_axis_W_).norm();
+      outwards_ = way_ = 0, pace_ = 1;
       break;
     }
     case Verb::kWait:

@@ -223,6 +223,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Vec3 brought_W_ = Vec3::Zero();  // m, by how much this drive has brought the needle back
   Vec3 about_W_ = Vec3::Zero(), about_axis_W_ = Vec3::UnitX();  // m, unit: axis of this winding
   double radius_ = 0;              // m, of this winding
+  double outwards_ = 0, way_ = 0, pace_ = 1;  // m/s, its change; the way that it went last, 1 outwards; share of its speed
   double drawn_share_ = 0;         // share of the path of this draw
   Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
   double missed_m_ = 0;            // m, error along the needle, of this reach

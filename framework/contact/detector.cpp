@@ -101,6 +101,7 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
   bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
 
   if (options_.level == Level::kThesis) lay_spheres(world);
+  heir_of_.resize(options_.capacity, scene::kNone);
   last_.reserve(options_.capacity);
   last_candidate_.reserve(options_.capacity);
   last_of_pair_.reserve(pairs_.size());
@@ -247,6 +248,7 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
   if (is_chain(pair.shape_a) || is_chain(pair.shape_b)) {
     const size_t first = set.contact.size();
     detect_with_chain(world, pair, set);
+    leave_forces_to_one(set, first);
     return share_near(world, set, first);
   }
   const bool faces = b.kind == SWAGE_SHAPE_CONVEX;
@@ -334,14 +336,15 @@ void Detector::keep(const scene::World& world, const ShapePair& pair, const Cand
   c.p_W = found.touch.p_W, c.n_W = found.touch.n_W, c.gap = found.touch.gap;
   c.weight = found.weight;
   c.law = pairs_[pair.pair].law;
-  inherit(world, c);
+  heir_of_[set.contact.size()] = inherit(world, c);
   set.contact.push_back(c);
   set.candidate.push_back(found);
   set.candidate.back().feature = c.feature;
 }
 
-void Detector::inherit(const scene::World& world, Contact& contact) const noexcept {
-  if (contact.pair >= last_of_pair_.size()) return;
+/// Returns the contact of the last step whose force it has, or kNone.
+uint32_t Detector::inherit(const scene::World& world, Contact& contact) const noexcept {
+  if (contact.pair >= last_of_pair_.size()) return scene::kNone;
   const scene::Range range = last_of_pair_[contact.pair];
   if (contact.place_a.segment != scene::kNone || contact.place_b.segment != scene::kNone)
     return inherit_along(world, contact, range);
@@ -356,7 +359,7 @@ void Detector::inherit(const scene::World& world, Contact& contact) const noexce
       // couplings read the values of the last solve before this one writes
       contact.f_a_W = old.f_a_W;
       contact.slip = old.slip;
-      return;
+      return i;
     }
     // where that place of b is now
     const Vec3 moved = old.p_W + world.dt * (v + w.cross(old.p_W - x));
@@ -365,6 +368,7 @@ void Detector::inherit(const scene::World& world, Contact& contact) const noexce
     nearest = distance;
     contact.bristle_W = old.bristle_W;
   }
+  return scene::kNone;
 }
 
 }  // namespace swage::contact

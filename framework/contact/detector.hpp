@@ -157,9 +157,10 @@ class Detector {
   bool collide_parts(const Part& a, const Part& b, double moves, const Query& query, double length) noexcept;
   void weigh_lines(double radius) noexcept;
   void share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept;
-  void inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept;
+  uint32_t inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept;
+  void leave_forces_to_one(ContactSet& set, size_t first) const noexcept;
   static double way_along(const Contact& a, const Contact& b) noexcept;
-  void inherit(const scene::World& world, Contact& contact) const noexcept;
+  uint32_t inherit(const scene::World& world, Contact& contact) const noexcept;
   void find_swept(const scene::World& world);
   void look_again(const scene::World& world, ShapePair& pair, ContactSet& set, std::span<const uint8_t> moved,
                   std::span<const Struck> struck) noexcept;
@@ -184,6 +185,7 @@ class Detector {
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
   std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
   std::vector<scene::Range> last_of_pair_;
+  std::vector<uint32_t> heir_of_;  // per contact: of which one of last_ it has its force, or kNone
   std::vector<Candidate> last_candidate_;  // while look_again() writes the new ones
   std::vector<Shapes> swept_;
   Manifold manifold_;

@@ -3,6 +3,7 @@
 // The detector's part for chains: which pieces are near, where on the chain a contact is, and the memory that it takes from the
 // contact that was there before.
 #include <algorithm>
+#include <cmath>
 
 #include "contact/detector.hpp"
 #include "contact/detector_part.hpp"
@@ -189,8 +190,9 @@ void Detector::share_near(const scene::World& world, ContactSet& set, size_t fir
   for (size_t i = first; i < set.contact.size(); ++i) set.candidate[i].weight = set.contact[i].weight;
 }
 
-/// Friction memory travels with the material: it is inherited from a contact of the same pieces, or else from the nearest place.
-void Detector::inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept {
+/// Friction memory travels with the material: it is inherited from a contact of the same pieces, or else from the nearest place. Returns which
+/// contact of the last step that was, or kNone.
+uint32_t Detector::inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept {
   const Contact* best = nullptr;
   double nearest = kReach * world.length;
   for (uint32_t i = range.first; i < range.first + range.count; ++i) {
@@ -211,10 +213,31 @@ void Detector::inherit_along(const scene::World& world, Contact& contact, scene:
     if (way > nearest) continue;
     nearest = way, best = &old;
   }
-  if (best == nullptr) return;
+  if (best == nullptr) return scene::kNone;
   contact.bristle_W = best->bristle_W;
   contact.f_a_W = best->f_a_W;
   contact.slip = best->slip;
+  return static_cast<uint32_t>(best - last_.data());
+}
+
+/// The force of a contact of the last step goes on in one: in that of the same pieces, or else in the nearest. Where a thread slides round the
+/// edge of a jaw, several have its bristle; were all of them taken to bear its force, the solve would begin with three contacts for one.
+void Detector::leave_forces_to_one(ContactSet& set, size_t first) const noexcept {
+  const auto way_from = [&](size_t i, const Contact& old) {
+    const Contact& c = set.contact[i];
+    return c.feature == old.feature ? -1 : way_along(old, c);
+  };
+  for (size_t i = first; i < set.contact.size(); ++i) {
+    if (heir_of_[i] == scene::kNone) continue;
+    const Contact& old = last_[heir_of_[i]];
+    const double way = way_from(i, old);
+    for (size_t k = first; way >= 0 && k < set.contact.size(); ++k) {
+      const double other = k != i && heir_of_[k] == heir_of_[i] ? way_from(k, old) : HUGE_VAL;
+      if (!(other < way || (other == way && k < i))) continue;
+      set.contact[i].f_a_W.setZero(), set.contact[i].slip = 0;
+      break;
+    }
+  }
 }
 
 double Detector::way_along(const Contact& a, const Contact& b) noexcept {

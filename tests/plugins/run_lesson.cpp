@@ -49,6 +49,7 @@ void LessonRun::begin(const assembly::LessonFile& file, const assembly::Override
 void LessonRun::step() {
   engine_->point(pointer_);
   engine_->step();
+  swinging_.look(rig_->world);
   pointer().dx = pointer().dy = pointer().wheel = 0;
   for (const judge::Event& event : engine_->events()) happened_[rig_->script.events[event.event].id] += 1;
 }

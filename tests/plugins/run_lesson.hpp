@@ -11,6 +11,7 @@
 
 #include "assembly/assemble.hpp"
 #include "step/step.hpp"
+#include "swinging.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::stage {
@@ -51,6 +52,7 @@ class LessonRun {
   double metric(const std::string& id) const;  // NaN until reported
   double signal(const std::string& owner, const std::string& id) const;
   int happened(const std::string& id) const;  // how often an event was sent so far
+  int swings() const { return swinging_.longest(); }  // steps in a row in which the thread went to and fro
   std::string cue(const std::string& object) const;
   std::string phase() const;
   uint32_t body(const std::string& object) const;  // global index of its first body
@@ -69,6 +71,7 @@ class LessonRun {
   std::unique_ptr<host::Rig> rig_;
   std::unique_ptr<step::Engine> engine_;
   std::map<std::string, int> happened_;
+  Swinging swinging_;
   swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
 };
 

@@ -278,6 +278,33 @@ TEST(Chain, APieceThatLeavesTheJawsTouchesAlongItsShareOfTheLine) {
     for (const double tilt : {-0.05, -1e-3, 1e-3, 0.05}) EXPECT_LT(weight_beside_edge(inside, tilt), 0.1) << inside << ", " << tilt;
 }
 
+/// A ball that rolls into the bend of a thread: where it touched one piece and touches both, the force goes on in one of the two contacts, and the
+/// bristle in both. A solve that took both to bear it would begin with twice the force.
+TEST(Chain, AForceGoesOnInOneContact) {
+  constexpr double kSlope = 0.2, kBall = 200e-6;  // rad, m
+  scene::World w;
+  const Vec3 left(-std::cos(kSlope), 0, std::sin(kSlope)), right(std::cos(kSlope), 0, std::sin(kSlope));
+  add_chain(w, {0.4e-3 * left, Vec3::Zero(), 0.4e-3 * right}, kRadius, kBend, 0);
+  const uint32_t body = add_shape(w, ball(kBall), 1, {}, SWAGE_MOTION_FOLLOWS);
+  Detector detector(w, {joins(0, 1)}, points_only());
+  ContactSet set;
+  detector.reserve(set);
+  // 0.1 um into the left piece, and along it to where it is 0.1 um into the other one as well
+  const Vec3 up(std::sin(kSlope), 0, std::cos(kSlope));
+  const auto touch = [&](double along) { w.X_WB[body].p = toolkit::raw(Vec3(along * left + (kBall + kRadius - 0.1e-6) * up)), detector.detect(w, set); };
+  touch(150e-6);
+  ASSERT_EQ(set.contact.size(), 1u);
+  set.contact[0].f_a_W = 1e-3 * set.contact[0].n_W, set.contact[0].bristle_W = {0, 1e-9, 0};
+  touch((kBall + kRadius - 0.1e-6) * std::tan(kSlope));
+  ASSERT_EQ(set.contact.size(), 2u);
+  int bears = 0;
+  for (const Contact& c : set.contact) {
+    EXPECT_FALSE(c.bristle_W.isZero(0));
+    bears += !c.f_a_W.isZero(0);
+  }
+  EXPECT_EQ(bears, 1);
+}
+
 TEST(Chain, SavesWhereItsContactsAre) {
   scene::World w;
   add_chain(w, {{-1e-3, 0, 0}, {0, 0, 0}, {1e-3, 0, 0}}, kRadius, kBend, 0);
