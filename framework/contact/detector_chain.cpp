@@ -24,6 +24,11 @@ constexpr double kShare = 2, kShareGap = 1e-4;
 /// Points of a piece that lies on a face or along a wire, for the friction moment (chain_line.hpp).
 constexpr int kPiecePoints = 2;
 
+/// Share of its last weight that a contact of a thread with anything else keeps. The weight of a touch beside a line follows the tilt of its piece, and the tilt the weight, one step
+/// late: 0: a thread pinched with 0.3 N over the edge of a jaw swings by 20 um from step to step. 0.5 and more: weights lag by 2 ms and more. Threads
+/// that are wound about each other do without: there weights lag behind touches that go from piece to piece, and a twisted pair unwinds.
+constexpr double kWeightKept = 1.0 / 3;
+
 /// A contact that has no predecessor takes the bristle of the nearest one along the chain that bore force, within this share of the
 /// scene's length (0.2 mm for a 1 mm scene, as far as a contact rolls in a step at 0.2 m/s) and with a normal alike.
 constexpr double kReach = 0.2, kCosine = 0.7;
@@ -170,7 +175,7 @@ void Detector::weigh_lines(double radius) noexcept {
   }
 }
 
-/// Contacts that are one contact on the uncut chain share one weight.
+/// Contacts that are one contact on the uncut chain share one weight, which changes gradually.
 void Detector::share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept {
   const auto is_touch = [](const Contact& c) { return (c.feature & 0xF) == 0; };
   for (size_t i = first; i < set.contact.size(); ++i) {
@@ -187,7 +192,13 @@ void Detector::share_near(const scene::World& world, ContactSet& set, size_t fir
     }
     c.weight = set.candidate[i].weight / all;
   }
-  for (size_t i = first; i < set.contact.size(); ++i) set.candidate[i].weight = set.contact[i].weight;
+  for (size_t i = first; i < set.contact.size(); ++i) {
+    Contact& c = set.contact[i];
+    const bool threads = c.place_a.segment != scene::kNone && c.place_b.segment != scene::kNone;
+    const Contact* before = heir_of_[i] != scene::kNone && !threads ? &last_[heir_of_[i]] : nullptr;
+    if (before != nullptr && before->feature == c.feature) c.weight += kWeightKept * (before->weight - c.weight);
+    set.candidate[i].weight = c.weight;
+  }
 }
 
 /// Friction memory travels with the material: it is inherited from a contact of the same pieces, or else from the nearest place. Returns which

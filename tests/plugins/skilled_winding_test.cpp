@@ -58,6 +58,27 @@ TEST_F(SkilledHand, KeepsWhatItWindsDrawn) {
   }
 }
 
+// A taut thread of 200 N/m: a hand that went at 20 mm/s whenever it feels too little or too much would go to and fro by 20 um, a millisecond each.
+TEST_F(SkilledHand, ComesToRestOnATautThread) {
+  constexpr double kStiffness = 200;  // N/m
+  stage::FakeGripper other;
+  other.state.tip_W = {8e-3, 0, 2e-3};
+  make(R"({"act": "wind", "about": "holder", "turns": 0, "of": "grasp", "signal": "grasp.force", "more": 0.0005, "less": 0.002, "by": "20 mm", "time": "2 s"})");
+  objects_[0].instance = &other.raw;
+  ASSERT_EQ(bind(), SWAGE_OK);
+  const double taut = 5.05e-3;  // m, it begins at 5 mm
+  double before = 5e-3, farthest = 0, felt = 0, most = 0;
+  for (int i = 0; i < 1500; ++i) {
+    force_ = felt = std::max(0.0, kStiffness * (X_WT_.p.z() - taut));
+    step();
+    if (i > 500) farthest = std::max(farthest, std::abs(X_WT_.p.z() - before)), most = std::max(most, felt);
+    before = X_WT_.p.z();
+  }
+  EXPECT_LT(farthest, 2e-6);
+  EXPECT_LT(most, 4e-3);
+  EXPECT_GT(felt, 0);
+}
+
 // the fingers roll the tool, whose shaft keeps its direction
 TEST_F(SkilledHand, RollsAboutItsOwnAxisWhileItWinds) {
   stage::FakeGripper other;

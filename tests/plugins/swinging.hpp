@@ -14,7 +14,7 @@ namespace swage::stage {
 
 class Swinging {
  public:
-  static constexpr double kLeast = 1e-6;   // m, displacement of a vertex in a step; less is of no account
+  static constexpr double kLeast = 5e-6;   // m, displacement of a vertex in a step; in 133 one of 2.4 um is left, for 0.7 s
   static constexpr double kBack = -0.5;    // cosine of the displacements of all vertices in two steps, below which they go back
 
   /// After each step.

@@ -305,6 +305,48 @@ TEST(Chain, AForceGoesOnInOneContact) {
   EXPECT_EQ(bears, 1);
 }
 
+/// Weights of the contacts that a thread has with the lower jaw across which it lies; its second piece is tilted by `tilt` [rad] about the edge.
+/// Before that it may have lain flat, and borne.
+std::vector<double> weights_of_tilted(double tilt, bool lay_flat) {
+  constexpr double kHalf = 0.25e-3, kThick = 22e-6;  // m
+  scene::World w;
+  w.convex = {bench::convex(bench::jaw(-1))};
+  scene::Shape jaw = bench::convex_shape();
+  jaw.convex = 0;
+  add_shape(w, jaw, 0);
+  const auto p = [&](double angle) { return Vec3(bench::Jaw::kGrip, 0.2e-3 * std::cos(angle), kThick - 1e-6 + 0.2e-3 * std::sin(angle)); };
+  const Vec3 start(bench::Jaw::kGrip, -kHalf, kThick - 1e-6), joint(bench::Jaw::kGrip, 0, kThick - 1e-6);
+  add_chain(w, {start, joint, p(0)}, kThick, kBend, 1);
+  Detector detector(w, {joins(0, 1)}, {});
+  ContactSet set;
+  detector.reserve(set);
+  if (lay_flat) {
+    detector.detect(w, set);
+    for (Contact& c : set.contact) c.f_a_W = 1e-3 * c.n_W;
+  }
+  const Vec3 end = p(tilt);
+  std::copy_n(end.data(), 3, w.plugin_state.data() + w.chain[0].state + 6);
+  detector.detect(w, set);
+  std::vector<double> out;
+  for (const Contact& c : set.contact) {
+    const ChainPlace& place = c.place_a.segment != scene::kNone ? c.place_a : c.place_b;
+    if (place.segment == 1 && (c.feature & 0xF) != 0) out.push_back(c.weight);
+  }
+  return out;
+}
+
+TEST(Chain, WeightsFollowATiltGradually) {
+  constexpr double kTilt = 0.06, kKept = 1.0 / 3;  // rad: the end is 12 um higher, between what is level and what is steep
+  const std::vector<double> flat = weights_of_tilted(0, false), tilted = weights_of_tilted(kTilt, false), then = weights_of_tilted(kTilt, true);
+  ASSERT_FALSE(flat.empty());
+  ASSERT_EQ(tilted.size(), flat.size());
+  ASSERT_EQ(then.size(), flat.size());
+  for (size_t i = 0; i < flat.size(); ++i) {
+    EXPECT_LT(tilted[i], 0.95 * flat[i]);
+    EXPECT_NEAR(then[i], tilted[i] + kKept * (flat[i] - tilted[i]), 1e-12);
+  }
+}
+
 TEST(Chain, SavesWhereItsContactsAre) {
   scene::World w;
   add_chain(w, {{-1e-3, 0, 0}, {0, 0, 0}, {1e-3, 0, 0}}, kRadius, kBend, 0);
