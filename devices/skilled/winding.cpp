@@ -28,7 +28,7 @@ Pose Skilled::wound(const Act& act, double u) const {
 }
 
 /// Moves outwards while the felt tension is too small and inwards while it is too large; never into the other gripper. Each time it turns back it goes half as
-/// quickly: a taut thread of 200 N/m has its tension changed by more than a few millinewtons by what a hand at 20 mm/s goes in a millisecond.
+/// quickly: in a millisecond at 20 mm/s a hand changes the tension of a taut thread of 200 N/m by 4 mN, more than lies between the two limits.
 void Skilled::feel(const Act& act, double dt) {
   const double way = seen_.signal < act.more ? 1 : seen_.signal > act.less ? -1 : 0;
   if (way * way_ < 0) pace_ = std::max(kSlowest, 0.5 * pace_);

@@ -342,7 +342,7 @@ void Detector::keep(const scene::World& world, const ShapePair& pair, const Cand
   set.candidate.back().feature = c.feature;
 }
 
-/// Returns the contact of the last step whose force it has, or kNone.
+/// Returns the index in last_ of the contact that it follows, or kNone.
 uint32_t Detector::inherit(const scene::World& world, Contact& contact) const noexcept {
   if (contact.pair >= last_of_pair_.size()) return scene::kNone;
   const scene::Range range = last_of_pair_[contact.pair];

@@ -185,7 +185,7 @@ class Detector {
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
   std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
   std::vector<scene::Range> last_of_pair_;
-  std::vector<uint32_t> heir_of_;  // per contact: of which one of last_ it has its force, or kNone
+  std::vector<uint32_t> heir_of_;  // per contact: index in last_ of the contact that it follows, or kNone
   std::vector<Candidate> last_candidate_;  // while look_again() writes the new ones
   std::vector<Shapes> swept_;
   Manifold manifold_;

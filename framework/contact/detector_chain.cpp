@@ -24,9 +24,10 @@ constexpr double kShare = 2, kShareGap = 1e-4;
 /// Points of a piece that lies on a face or along a wire, for the friction moment (chain_line.hpp).
 constexpr int kPiecePoints = 2;
 
-/// Share of its last weight that a contact of a thread with anything else keeps. The weight of a touch beside a line follows the tilt of its piece, and the tilt the weight, one step
-/// late: 0: a thread pinched with 0.3 N over the edge of a jaw swings by 20 um from step to step. 0.5 and more: weights lag by 2 ms and more. Threads
-/// that are wound about each other do without: there weights lag behind touches that go from piece to piece, and a twisted pair unwinds.
+/// Share of its last weight that a contact of a thread with anything but a thread keeps. The weight of a touch beside a line follows the tilt of
+/// its piece, and the tilt follows the weight one step later. 0: a thread pinched with 0.3 N over the edge of a jaw swings by 20 um from step to
+/// step. 0.5 and more: weights lag by 2 ms and more. Contacts of thread with thread keep nothing: touches go from piece to piece there, and with
+/// weights that lag a twisted pair unwinds.
 constexpr double kWeightKept = 1.0 / 3;
 
 /// A contact that has no predecessor takes the bristle of the nearest one along the chain that bore force, within this share of the

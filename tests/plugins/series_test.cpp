@@ -84,7 +84,7 @@ TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
   // of lessons with a thread: from 117 on, but for the two edges, whose needle is taken out of its pad as in 115
   const bool thread = std::string(GetParam()) >= "117" && std::string(GetParam()) != "119_two_edges";
   EXPECT_EQ(thread ? base::text(expert.engine().stats().health) : std::string(), "");
-  EXPECT_LT(expert.swings(), 200) << "2500 steps of 133 where a tail touched the edges of two jaws in turn";
+  EXPECT_LT(expert.swings(), 200) << "the thread goes to and fro from step to step";
   EXPECT_EQ(expert.engine().quarantined() + novice.engine().quarantined() + clumsy.engine().quarantined(),
             0u);
 }
