@@ -17,8 +17,8 @@ namespace swage::session {
 
 namespace {
 
-// above normal threads and serial readers (60), below a haptic servo (80); otherwise a reader could
-// delay the step
+// above normal threads and serial readers (60), below the watchdog (75) and a haptic servo (80); otherwise a reader
+// could delay the step
 constexpr int kFifoPriority = 70;
 // bytes of stack touched before the first step; a page first touched within a step costs a fault of 1 to 50
 // us
@@ -43,7 +43,7 @@ bool lock_memory() {
 
 std::string sentence(const RtGrant& grant) {
   const std::string remedy =
-      " Steps may come late under load. To allow it, give your group the limits \"rtprio 70\" and \"memlock "
+      " Steps may come late under load. To allow it, give your group the limits \"rtprio 80\" and \"memlock "
       "unlimited\" "
       "in /etc/security/limits.d and log in again.";
   if (grant.fifo && grant.locked) return "Real time: priority 70, memory locked.";

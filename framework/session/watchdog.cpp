@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/watchdog.hpp"
 
+#include <sched.h>
 #include <sys/prctl.h>
 
 #include <utility>
@@ -8,6 +9,11 @@
 #include "base/clock.hpp"
 
 namespace swage::session {
+
+namespace {
+// above the step (70), whose plugins it watches: two that never return take both processors of a small machine
+constexpr int kWatchPriority = 75;
+}  // namespace
 
 Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung)
     : Watchdog(std::move(beats), std::move(hung), Settings()) {}
@@ -30,6 +36,9 @@ void Watchdog::stop() {
 void Watchdog::run() {
   prctl(PR_SET_NAME, "swage-watchdog");
   prctl(PR_SET_TIMERSLACK, 1UL);
+  sched_param param{};
+  param.sched_priority = kWatchPriority;
+  sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &param);  // where it is refused, the step has none either
   uint64_t seen = beats_();
   int64_t silent_ms = 0, hung_ms = 0;
   bool reported = false;

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -110,7 +111,7 @@ std::string outcome_of(const Result& result) {
 // in a process of its own: opens, runs, writes what it heard
 [[noreturn]] void attempt(const std::string& folder, const host::PluginInfo& p) {
   if (!freopen((folder + "/stderr").c_str(), "w", stderr)) _exit(99);
-  alarm(50);  // a test that fails must end
+  alarm(120);  // s: a test that fails must end; 5 s are usual, on a busy machine 20
   host::CallWatch::set_limit(call_limit(p));
   driver_limits() = {limit_of(p, "open"), limit_of(p, "close"), limit_of(p, "exchange")};
   Options options;
@@ -129,7 +130,8 @@ std::string outcome_of(const Result& result) {
     if (session) {
       session->start();
       // a hand that is lost pauses the lesson: then somebody stops it
-      for (int ms = 0; ms < 4000 && !session->finished(); ms += 5)
+      const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(4);
+      while (!session->finished() && std::chrono::steady_clock::now() < patience)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       session->stop();
       const Result result = session->result();

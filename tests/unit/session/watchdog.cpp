@@ -2,6 +2,8 @@
 #include "session/watchdog.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <time.h>
 
 #include <chrono>
 
@@ -74,6 +76,40 @@ TEST(Watchdog, AccusesOnceAfterALongSilence) {
   until([&] { return looks > then + 100; });
   dog.stop();
   EXPECT_EQ(hung.load(), 1);
+}
+
+// Two plugins that never returned took both processors of a small machine at the priority of the step. The watchdog ran in what the
+// kernel keeps for others, 50 ms of each second, and found them after 100 s.
+TEST(Watchdog, IsNotKeptWaitingByTheStepThatItWatches) {
+  std::atomic<int> hung{0}, looks{0};
+  bool granted = true;
+  double spun_s = 0;
+  std::thread one_processor([&] {
+    cpu_set_t first;
+    CPU_ZERO(&first);
+    CPU_SET(static_cast<std::size_t>(sched_getcpu()), &first);
+    sched_setaffinity(0, sizeof first, &first);
+    Watchdog dog(
+        [&] {
+          ++looks;
+          return uint64_t{7};
+        },
+        [&] { ++hung; });
+    dog.start();
+    until([&] { return looks > 1; });
+    sched_param step{};
+    step.sched_priority = 70;
+    granted = sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &step) == 0;
+    while (granted && hung == 0 && spun_s < 3) {
+      timespec spun{};
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spun);
+      spun_s = static_cast<double>(spun.tv_sec) + 1e-9 * static_cast<double>(spun.tv_nsec);
+    }
+  });
+  one_processor.join();
+  if (!granted) GTEST_SKIP() << "needs real-time priority";
+  EXPECT_EQ(hung.load(), 1);
+  EXPECT_LT(spun_s, 1);  // s of the processor's time: half of one is the silence; 1.4 and more without a priority
 }
 
 TEST(Watchdog, AccusesNobodyBeforeTheFirstStep) {
