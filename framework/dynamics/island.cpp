@@ -26,9 +26,9 @@ constexpr uint32_t kProjections = 44;  // steps of the projection, normal: 8 to 
 // Steps of the projection where the path goes on from its end: in tight knots of 60 contacts by 3 to 8 directions. Also after Newton's method on
 // a thread's forces, which mostly gives up nanometres from the solution: 11 directions at p99.9 over a tray, 38 without. With 20 a thread sank in.
 constexpr uint32_t kProjectionsBeforePath = 10;
-// Contacts of thread with thread from which on the projection comes first. A square knot drawn tight with 30 mN has 50 that bear, a surgeon's
-// with 100 mN as many: 8 and 10 directions a step, by Newton's method and its path 38 and 56. Fewer: a crossing or two, whose path ends near.
-constexpr uint32_t kWound = 40;
+// Contacts of thread with thread from which on the projection comes first. A square knot drawn tight with 30 mN has 50 that bear, a surgeon's with
+// 100 mN as many: 8 and 10 directions a step, 15 and 18 if from 40 on, 38 and 56 by Newton's method. Fewer: a crossing or two, whose path ends near.
+constexpr uint32_t kWound = 25;
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // in tolerances: a step as short as this is due to rounding
 
