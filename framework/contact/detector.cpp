@@ -5,16 +5,12 @@
 #include <stdexcept>
 
 #include "contact/chain_line.hpp"
+#include "contact/chain_touch.hpp"
 #include "contact/sphere_line.hpp"
 #include "contact/sweep.hpp"
 
 namespace swage::contact {
 namespace {
-
-/// A contact that has no predecessor of the same feature takes the bristle of the nearest one, if it is not farther than
-/// this share of the scene's length (0.2 mm for a 1 mm scene: the points of a line across a jaw are nearer) and its
-/// normal is alike: a touch that slides from a face to its edge, or spreads into a line, continues to stick.
-constexpr double kInheritReach = 0.2, kInheritCosine = 0.7;
 
 /// Motion of a body over the step that is predicted to end at its pose.
 Motion motion_of(const scene::World& world, uint32_t body) {
@@ -49,6 +45,7 @@ void check(const Options& o) {
 Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Options& options)
     : pairs_(std::move(pairs)),
       options_(options),
+      memory_(options_.capacity, pairs_.size()),
       chains_(world.shape.size()),
       X_WB_(world.body.size()),
       motion_(world.body.size()),
@@ -101,10 +98,6 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
   bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
 
   if (options_.level == Level::kThesis) lay_spheres(world);
-  heir_of_.resize(options_.capacity, scene::kNone);
-  last_.reserve(options_.capacity);
-  last_candidate_.reserve(options_.capacity);
-  last_of_pair_.reserve(pairs_.size());
   find_swept(world);
 }
 
@@ -160,12 +153,7 @@ void Detector::reset(ContactSet& set) noexcept {
 }
 
 void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
-  // contacts of the last step, from which friction memory is inherited
-  last_.swap(set.contact);
-  last_of_pair_.swap(set.of_pair);
-  set.contact.clear();
-  set.candidate.clear();
-  set.of_pair.clear();
+  memory_.take(set);
   set.dropped = 0;
 
   look_around(world);
@@ -248,8 +236,8 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
   if (is_chain(pair.shape_a) || is_chain(pair.shape_b)) {
     const size_t first = set.contact.size();
     detect_with_chain(world, pair, set);
-    leave_forces_to_one(set, first);
-    return share_near(world, set, first);
+    memory_.leave_forces_to_one(set, first);
+    return share_chain_touches(world, memory_, set, first);
   }
   const bool faces = b.kind == SWAGE_SHAPE_CONVEX;
   if (far_apart(ball_[faces ? pair.shape_a : pair.shape_b], faces ? pair.shape_b : pair.shape_a, margin))
@@ -336,39 +324,10 @@ void Detector::keep(const scene::World& world, const ShapePair& pair, const Cand
   c.p_W = found.touch.p_W, c.n_W = found.touch.n_W, c.gap = found.touch.gap;
   c.weight = found.weight;
   c.law = pairs_[pair.pair].law;
-  heir_of_[set.contact.size()] = inherit(world, c);
+  memory_.give(world, c, set.contact.size());
   set.contact.push_back(c);
   set.candidate.push_back(found);
   set.candidate.back().feature = c.feature;
-}
-
-/// Returns the index in last_ of the contact that it follows, or kNone.
-uint32_t Detector::inherit(const scene::World& world, Contact& contact) const noexcept {
-  if (contact.pair >= last_of_pair_.size()) return scene::kNone;
-  const scene::Range range = last_of_pair_[contact.pair];
-  if (contact.place_a.segment != scene::kNone || contact.place_b.segment != scene::kNone)
-    return inherit_along(world, contact, range);
-  const swage_twist& V = world.V_WB[contact.body_b];
-  const Vec3 v = toolkit::vec(V.v), w = toolkit::vec(V.w), x = toolkit::vec(world.X_WB[contact.body_b].p);
-  double nearest = kInheritReach * world.length;
-  for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-    const Contact& old = last_[i];
-    if (old.shape_a != contact.shape_a || old.shape_b != contact.shape_b) continue;
-    if (old.feature == contact.feature) {
-      contact.bristle_W = old.bristle_W;
-      // couplings read the values of the last solve before this one writes
-      contact.f_a_W = old.f_a_W;
-      contact.slip = old.slip;
-      return i;
-    }
-    // where that place of b is now
-    const Vec3 moved = old.p_W + world.dt * (v + w.cross(old.p_W - x));
-    const double distance = (moved - contact.p_W).norm();
-    if (distance >= nearest || old.n_W.dot(contact.n_W) < kInheritCosine) continue;
-    nearest = distance;
-    contact.bristle_W = old.bristle_W;
-  }
-  return scene::kNone;
 }
 
 }  // namespace swage::contact

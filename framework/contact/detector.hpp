@@ -11,6 +11,7 @@
 
 #include "contact/chain.hpp"
 #include "contact/chain_spheres.hpp"
+#include "contact/contact_memory.hpp"
 #include "contact/contact_set.hpp"
 #include "contact/narrow_phase.hpp"
 #include "contact/solid.hpp"
@@ -146,7 +147,7 @@ class Detector {
   Part whole(const scene::World& world, uint32_t shape) noexcept;
   Part piece(const scene::World& world, uint32_t shape, uint32_t segment, Solid& solid) const noexcept;
   void detect_with_chain(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept;
-  // chains of spheres: detector_spheres.cpp
+  // chains of spheres
   bool is_spheres(uint32_t shape) const noexcept { return is_chain(shape) && spheres_of_[tree_of_[shape]] != scene::kNone; }
   const ChainSpheres& spheres(uint32_t shape) const noexcept { return spheres_[spheres_of_[tree_of_[shape]]]; }
   Part sphere(const scene::World& world, uint32_t shape, uint32_t vertex, Solid& solid) const noexcept;
@@ -156,21 +157,16 @@ class Detector {
                     ContactSet& set) noexcept;
   bool collide_parts(const Part& a, const Part& b, double moves, const Query& query, double length) noexcept;
   void weigh_lines(double radius) noexcept;
-  void share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept;
-  uint32_t inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept;
-  void leave_forces_to_one(ContactSet& set, size_t first) const noexcept;
-  static double way_along(const Contact& a, const Contact& b) noexcept;
-  uint32_t inherit(const scene::World& world, Contact& contact) const noexcept;
   void find_swept(const scene::World& world);
   void look_again(const scene::World& world, ShapePair& pair, ContactSet& set, std::span<const uint8_t> moved,
                   std::span<const Struck> struck) noexcept;
   void keep(const scene::World& world, const ShapePair& pair, ContactSet& set, bool moved) noexcept;
   void add_struck(const scene::World& world, const ShapePair& pair, ContactSet& set,
                   std::span<const Struck> struck) noexcept;
-  void take_laws(ContactSet& set, size_t first) const noexcept;
 
   std::vector<Pair> pairs_;
   Options options_;
+  ContactMemory memory_;             // while the new contacts are written
   std::vector<Solid> solids_;        // one per shape of the world
   std::vector<SphereTree> chains_;   // one per shape; empty except for arcs at Level::kThesis
   std::vector<uint32_t> bodies_;     // bodies with a shape in any pair
@@ -183,10 +179,6 @@ class Detector {
   std::vector<Chain> chain_;
   std::vector<Group> group_;
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
-  std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
-  std::vector<scene::Range> last_of_pair_;
-  std::vector<uint32_t> heir_of_;  // per contact: index in last_ of the contact that it follows, or kNone
-  std::vector<Candidate> last_candidate_;  // while look_again() writes the new ones
   std::vector<Shapes> swept_;
   Manifold manifold_;
   Solid sphere_;  // one sphere of a chain

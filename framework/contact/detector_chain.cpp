@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The detector's part for chains: which pieces are near, where on the chain a contact is, and the memory that it takes from the
-// contact that was there before.
+// The detector's part for chains: which pieces are near, and where on the chain a contact is.
 #include <algorithm>
 #include <cmath>
 
@@ -16,31 +15,14 @@ namespace {
 /// with the stiffness of the pair. Smaller: stiffer lines.
 constexpr double kLine = 40;
 
-/// Touches nearer to each other along the chain than this many radii, with gaps that differ by less than this share of the scene's
-/// length (0.1 um for a 1 mm scene, what 0.1 N presses in), share the weight of one: where a thread bends towards a surface,
-/// both pieces of a joint come near to it, and would be twice as stiff as one.
-constexpr double kShare = 2, kShareGap = 1e-4;
-
 /// Points of a piece that lies on a face or along a wire, for the friction moment (chain_line.hpp).
 constexpr int kPiecePoints = 2;
-
-/// Share of its last weight that a contact of a thread with anything but a thread keeps. The weight of a touch beside a line follows the tilt of
-/// its piece, and the tilt follows the weight one step later. 0: a thread pinched with 0.3 N over the edge of a jaw swings by 20 um from step to
-/// step. 0.5 and more: weights lag by 2 ms and more. Contacts of thread with thread keep nothing: touches go from piece to piece there, and with
-/// weights that lag a twisted pair unwinds.
-constexpr double kWeightKept = 1.0 / 3;
-
-/// A contact that has no predecessor takes the bristle of the nearest one along the chain that bore force, within this share of the
-/// scene's length (0.2 mm for a 1 mm scene, as far as a contact rolls in a step at 0.2 m/s) and with a normal alike.
-constexpr double kReach = 0.2, kCosine = 0.7;
 
 /// Feature of a piece, transformed to the frame of its body.
 void carry(Feature& f, const Frame& X_BS) {
   f.p = X_BS * f.p;
   f.u = X_BS.turn(f.u);
 }
-
-bool bears(const Contact& c) { return !c.f_a_W.isZero(0) || !c.bristle_W.isZero(0); }
 
 }  // namespace
 
@@ -176,87 +158,60 @@ void Detector::weigh_lines(double radius) noexcept {
   }
 }
 
-/// Contacts that are one contact on the uncut chain share one weight, which changes gradually.
-void Detector::share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept {
-  const auto is_touch = [](const Contact& c) { return (c.feature & 0xF) == 0; };
-  for (size_t i = first; i < set.contact.size(); ++i) {
-    Contact& c = set.contact[i];
-    if (!is_touch(c)) continue;
-    const double near = kShare * world.shape[is_chain(c.shape_a) ? c.shape_a : c.shape_b].radius;
-    double all = 0;
-    for (size_t k = first; k < set.contact.size(); ++k) {
-      const Contact& other = set.contact[k];
-      if (!is_touch(other) || other.n_W.dot(c.n_W) < kCosine) continue;
-      const double way = way_along(c, other);
-      const double deeper = std::abs(c.gap - other.gap);
-      all += (1 - ramp(way, 0, near)) * (1 - ramp(deeper, 0, kShareGap * world.length));
-    }
-    c.weight = set.candidate[i].weight / all;
-  }
-  for (size_t i = first; i < set.contact.size(); ++i) {
-    Contact& c = set.contact[i];
-    const bool threads = c.place_a.segment != scene::kNone && c.place_b.segment != scene::kNone;
-    const Contact* before = heir_of_[i] != scene::kNone && !threads ? &last_[heir_of_[i]] : nullptr;
-    if (before != nullptr && before->feature == c.feature) c.weight += kWeightKept * (before->weight - c.weight);
-    set.candidate[i].weight = c.weight;
-  }
+// --- chains of spheres: each near one against whole shapes, pieces of other chains, and other spheres, where the step ends; nothing is swept
+// (thesis 4.2.1)
+
+Detector::Part Detector::sphere(const scene::World& world, uint32_t shape, uint32_t vertex, Solid& solid) const noexcept {
+  Part part;
+  part.chain = &tree_[tree_of_[shape]], part.number = vertex, part.sphere = true;
+  part.segment = part.chain->piece_at(vertex);
+  if (part.segment == scene::kNone) return part;
+  solid.radius = solid.bound = part.chain->radius(part.segment);
+  part.solid = &solid;
+  part.X = Frame(part.chain->vertex(vertex), toolkit::Mat3::Identity());
+  part.motion.d = world.dt * part.chain->velocity(vertex);
+  part.motion.X0 = {part.X.p - part.motion.d, toolkit::Quat::Identity()};
+  part.X_BS = X_WB_[body_[shape]].inverse_times(part.X);
+  return part;
 }
 
-/// Friction memory travels with the material: it is inherited from a contact of the same pieces, or else from the nearest place. Returns which
-/// contact of the last step that was, or kNone.
-uint32_t Detector::inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept {
-  const Contact* best = nullptr;
-  double nearest = kReach * world.length;
-  for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-    const Contact& old = last_[i];
-    if (old.shape_a != contact.shape_a || old.shape_b != contact.shape_b) continue;
-    if (old.feature == contact.feature) {
-      if (bears(old)) {
-        best = &old;
-        break;
-      }
-      // the contact existed without load: inherit only from its immediate neighbours
-      nearest = std::min(nearest, world.shape[is_chain(old.shape_a) ? old.shape_a : old.shape_b].radius);
-      if (best != nullptr && way_along(*best, contact) > nearest) best = nullptr;
-      continue;
-    }
-    if (!bears(old) || old.n_W.dot(contact.n_W) < kCosine) continue;
-    const double way = way_along(old, contact);
-    if (way > nearest) continue;
-    nearest = way, best = &old;
-  }
-  if (best == nullptr) return scene::kNone;
-  contact.bristle_W = best->bristle_W;
-  contact.f_a_W = best->f_a_W;
-  contact.slip = best->slip;
-  return static_cast<uint32_t>(best - last_.data());
-}
-
-/// The force of a contact of the last step goes on in one: in that of the same pieces, or else in the nearest. Where a thread slides round the
-/// edge of a jaw, several have its bristle; were all of them taken to bear its force, the solve would begin with three contacts for one.
-void Detector::leave_forces_to_one(ContactSet& set, size_t first) const noexcept {
-  const auto way_from = [&](size_t i, const Contact& old) {
-    const Contact& c = set.contact[i];
-    return c.feature == old.feature ? -1 : way_along(old, c);
+void Detector::detect_spheres(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept {
+  const bool a = is_spheres(pair.shape_a), b = is_spheres(pair.shape_b);
+  if (!a || !b) return detect_spheres_with(world, pair, a, set);
+  const ChainTree &tree_a = tree_[tree_of_[pair.shape_a]], &tree_b = tree_[tree_of_[pair.shape_b]];
+  const double reach =
+      options_.margin * world.length + tree_a.moves() + tree_b.moves() + (tree_a.drift_W() - tree_b.drift_W()).norm();
+  const auto look = [&](uint32_t i, uint32_t j) {
+    const Part one = sphere(world, pair.shape_a, i, ball_a_), other = sphere(world, pair.shape_b, j, ball_b_);
+    if (one.solid != nullptr && other.solid != nullptr) detect_parts(world, pair, one, other, set);
   };
-  for (size_t i = first; i < set.contact.size(); ++i) {
-    if (heir_of_[i] == scene::kNone) continue;
-    const Contact& old = last_[heir_of_[i]];
-    const double way = way_from(i, old);
-    for (size_t k = first; way >= 0 && k < set.contact.size(); ++k) {
-      const double other = k != i && heir_of_[k] == heir_of_[i] ? way_from(k, old) : HUGE_VAL;
-      if (!(other < way || (other == way && k < i))) continue;
-      set.contact[i].f_a_W.setZero(), set.contact[i].slip = 0;
-      break;
-    }
-  }
+  if (pair.shape_a == pair.shape_b)
+    spheres(pair.shape_a).visit_self(reach, look);
+  else
+    spheres(pair.shape_a).visit_pairs(spheres(pair.shape_b), reach, look);
 }
 
-double Detector::way_along(const Contact& a, const Contact& b) noexcept {
-  double way = 0;
-  if (a.place_a.segment != scene::kNone) way = std::abs(a.place_a.s - b.place_a.s);
-  if (a.place_b.segment != scene::kNone) way = std::max(way, std::abs(a.place_b.s - b.place_b.s));
-  return way;
+/// `first`: the spheres are the pair's shape_a. The other is a whole shape or a chain of pieces.
+void Detector::detect_spheres_with(const scene::World& world, const ShapePair& pair, bool first, ContactSet& set) noexcept {
+  const uint32_t chain = first ? pair.shape_a : pair.shape_b, other = first ? pair.shape_b : pair.shape_a;
+  const ChainTree& tree = tree_[tree_of_[chain]];
+  const double margin = options_.margin * world.length, moves = tree.moves() + tree.drift();
+  const auto against = [&](const Part& ball, const Part& part) {
+    if (first)
+      detect_parts(world, pair, ball, part, set);
+    else
+      detect_parts(world, pair, part, ball, set);
+  };
+  const auto near = [&](const Vec3& centre, double radius) { return !far_apart({centre, radius, moves}, other, margin); };
+  spheres(chain).visit(near, [&](uint32_t i) {
+    const Part ball = sphere(world, chain, i, ball_a_);
+    if (ball.solid == nullptr) return;
+    if (!is_chain(other)) return against(ball, whole(world, other));
+    const ChainTree& pieces = tree_[tree_of_[other]];
+    const double reach = ball.solid->radius + moves + pieces.moves() + pieces.drift() + margin;
+    pieces.visit([&](const Box& box) { return box.near(ball.X.p, reach); },
+                 [&](uint32_t j) { against(ball, piece(world, other, j, piece_b_)); });
+  });
 }
 
 }  // namespace swage::contact

@@ -81,10 +81,7 @@ const Manifold& Detector::touches(const scene::World& world, uint32_t i, const F
 
 void Detector::look_again(const scene::World& world, ContactSet& set, std::span<const uint8_t> moved,
                           std::span<const Struck> struck) noexcept {
-  last_.swap(set.contact);
-  last_candidate_.swap(set.candidate);
-  last_of_pair_.swap(set.of_pair);
-  set.contact.clear(), set.candidate.clear(), set.of_pair.clear();
+  memory_.take(set);
   for (const uint32_t body : bodies_)
     if (moved[body]) X_WB_[body] = Frame(world.X_WB[body]);
 
@@ -93,7 +90,7 @@ void Detector::look_again(const scene::World& world, ContactSet& set, std::span<
     const auto first = static_cast<uint32_t>(set.contact.size());
     for (; next < shape_pairs_.size() && shape_pairs_[next].pair == p; ++next)
       look_again(world, shape_pairs_[next], set, moved, struck);
-    take_laws(set, first);
+    memory_.give_laws(set, first);
     set.of_pair.push_back({first, static_cast<uint32_t>(set.contact.size()) - first});
   }
 }
@@ -117,19 +114,19 @@ void Detector::look_again(const scene::World& world, ShapePair& pair, ContactSet
 
 /// Contacts of two shapes as last found; re-evaluated at the current poses when a shape has moved.
 void Detector::keep(const scene::World& world, const ShapePair& pair, ContactSet& set, bool moved) noexcept {
-  if (pair.pair >= last_of_pair_.size()) return;
-  const scene::Range range = last_of_pair_[pair.pair];
-  for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-    if (last_[i].shape_a != pair.shape_a || last_[i].shape_b != pair.shape_b) continue;
+  const std::span<const Contact> last = memory_.contacts(pair.pair);
+  const std::span<const Candidate> found = memory_.candidates(pair.pair);
+  for (size_t i = 0; i < last.size(); ++i) {
+    if (last[i].shape_a != pair.shape_a || last[i].shape_b != pair.shape_b) continue;
     if (set.contact.size() >= options_.capacity) {
       ++set.dropped;
       continue;
     }
-    set.contact.push_back(last_[i]);
-    set.candidate.push_back(last_candidate_[i]);
+    set.contact.push_back(last[i]);
+    set.candidate.push_back(found[i]);
     if (!moved) continue;
     Contact& c = set.contact.back();
-    const Touch touch = reevaluate(last_candidate_[i], Frame(world.X_WB[c.body_a]), Frame(world.X_WB[c.body_b]));
+    const Touch touch = reevaluate(found[i], Frame(world.X_WB[c.body_a]), Frame(world.X_WB[c.body_b]));
     c.p_W = touch.p_W, c.n_W = touch.n_W, c.gap = touch.gap;
   }
 }
@@ -146,24 +143,6 @@ void Detector::add_struck(const scene::World& world, const ShapePair& pair, Cont
     // the point may be far from its face by now, and a plane has no end: the contact bears nothing and only records the impulse
     c->weight = 0;
     return append(world, pair, 0, set);
-  }
-}
-
-/// Gives the contacts the laws that the couplings gave to the contacts of the same shapes, or else of the same objects.
-void Detector::take_laws(ContactSet& set, size_t first) const noexcept {
-  for (size_t i = first; i < set.contact.size(); ++i) {
-    Contact& c = set.contact[i];
-    if (c.pair >= last_of_pair_.size()) return;
-    const scene::Range range = last_of_pair_[c.pair];
-    const Contact* like = nullptr;
-    for (uint32_t k = range.first; k < range.first + range.count; ++k) {
-      const Contact& old = last_[k];
-      const bool same = old.shape_a == c.shape_a && old.shape_b == c.shape_b;
-      if (!like || same) like = &old;
-      if (same && old.feature == c.feature) break;
-    }
-    if (like) c.law = like->law;
-    if (!(c.weight > 0)) c.law.stiffness = 0;
   }
 }
 
