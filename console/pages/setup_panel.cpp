@@ -18,6 +18,18 @@ namespace {
 
 const char* const kModes[] = {"practice", "test", "demo"};
 constexpr int kIsHand = Qt::UserRole + 1;  // of an instrument in the list: a recorded hand
+/// A list whose chosen row stays in sight: on a low screen the list has few rows, and fewer where the words below it wrap.
+class ChosenInSight final : public QListView {
+ public:
+  using QListView::QListView;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QListView::resizeEvent(event);
+    scrollTo(currentIndex());
+  }
+};
+
 constexpr char kMouse[] = "mouse", kExpert[] = "expert";  // what lessons call their devices ("as")
 
 }  // namespace
@@ -91,7 +103,7 @@ QWidget* SetupPanel::make_who() {
 
 QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   Card card = make_card(tr("Lesson"), this);
-  lessons_ = new QListView(card.frame);
+  lessons_ = new ChosenInSight(card.frame);
   lessons_->setObjectName(QStringLiteral("lessons"));
   lessons_->setAccessibleName(tr("Lessons"));
   lessons_->setModel(lessons);

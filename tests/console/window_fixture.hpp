@@ -82,7 +82,7 @@ class WindowTest : public testing::Test {
       };
     }
     launch.settings_file = dir.filePath("settings.ini");
-    launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
+    if (launch.lesson_folders.isEmpty()) launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
     if (!first_start) launch.size = QSize(1440, 900);
     window = std::make_unique<console::MainWindow>(std::move(services), launch);
     window->show();
