@@ -12,7 +12,7 @@ namespace swage::judge {
 
 // clang-format off
 const PullMetric kPullMetrics[kPullMeasureCount] = {
-    {"knot.bears", "N", "What the knot bore when the program pulled a copy of it after the attempt.", "Knot bears", "greatest tension in the middle of the loop, up to load", SWAGE_BETTER_HIGHER, SWAGE_SHOW_QUANTITY, 9},
+    {"knot.bears", "N", "What the knot bore when the program pulled a copy of it after the attempt.", "Knot bears", "greatest mean tension of both strands beside the pin, up to load", SWAGE_BETTER_HIGHER, SWAGE_SHOW_QUANTITY, 9},
     {"knot.pull_slip", "m", "Thread that went through the knot into its loop when the program pulled a copy of it.", "Slip when pulled", "slip over both strands, up to load or to where the knot gives way", SWAGE_BETTER_LOWER, SWAGE_SHOW_QUANTITY, 0},
     {"points.pull", "1", "Points lost for a knot that gives way when it is pulled.", "Knot gives way", "points (1 - min(1, bears / load))", SWAGE_BETTER_LOWER, SWAGE_SHOW_POINTS, 0},
 };

@@ -25,7 +25,7 @@ struct PullOptions {
 struct Pulled {
   bool over = false, holds = false;
   std::string reason;         // event id, "failed.slipped"; "" where it holds or is not over
-  double bears = 0;           // N, greatest tension in the middle of the loop
+  double bears = 0;           // N, greatest tension of the loop, mean of its two strands beside the pin
   double slip = 0;            // m, thread that has gone through the knot into its loop
   std::string health;         // what the solver could not do, "" in a sound scene
 };

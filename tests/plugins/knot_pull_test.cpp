@@ -67,8 +67,31 @@ TEST(KnotPull, TheSurgeonsKnotOfTheLessonHolds) {
   run.run(20);
   EXPECT_EQ(run.outcome(), "passed") << run.reason();
   EXPECT_GE(run.metric("pull.bears"), kLoad);
-  EXPECT_LT(run.metric("pull.slip"), 0.1e-3) << "m";
+  EXPECT_LT(run.metric("pull.slip"), 0.2e-3) << "m";
   EXPECT_EQ(base::text(run.engine().stats().health), "");
+}
+
+// What a pull tells is sharp: more friction bears more and slips less. The tension was read at one place of the material, which bore nothing where it
+// lay across a pin, and of one knot copies held at 0.25 and 0.35 and gave way at 0.3 and 0.4.
+TEST(KnotPull, MoreFrictionBearsMore) {
+  double bore = 0, slipped = 1;  // N, m
+  for (const char* friction : {"0.1", "0.15", "0.2", "0.25", "0.3", "0.4", "0.5"}) {
+    LessonRun run(kSeries + "139_pull_test.json", {"expert", ""}, [&](assembly::LessonFile& file) {
+      for (auto& coupling : file.couplings)
+        if (coupling.a == "knot" && coupling.b == "knot") coupling.params = "{\"stiffness\": \"2e4 N/m\", \"friction\": " + std::string(friction) + "}";
+    });
+    ASSERT_EQ(run.problems(), "");
+    run.run(20);
+    const double bears = std::min(run.metric("pull.bears"), kLoad), slip = run.metric("pull.slip");
+    const bool holds = run.outcome() == "passed";
+    std::printf("friction %s: bears %.1f mN, slips %.3f mm\n", friction, 1e3 * bears, 1e3 * slip);
+    EXPECT_EQ(holds, std::stod(friction) > 0.21) << friction;
+    EXPECT_GE(bears, bore) << friction;
+    if (holds) {
+      EXPECT_LT(slip, slipped + 20e-6) << friction << ": m, as strands settle";
+    }
+    bore = bears, slipped = holds ? slip : slipped;
+  }
 }
 
 // by the friction of lesson 134, at which a square knot holds and the others do not

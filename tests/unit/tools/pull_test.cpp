@@ -20,18 +20,14 @@ class Pull : public Program {};
 // lesson 139 is itself an attempt with a knot: pulled at its start it does what it does there
 TEST_F(Pull, SaysWhatTheKnotBears) {
   ASSERT_EQ(swage({"run", kKnot, "--headless", "--device", "expert", "--as-fast-as-possible", "--max-time", "0.01", "--store", store()}).code, 1);
-  const Said by_itself = swage({"pull", "last", "--at", "0", "--json", "--store", store()});
-  EXPECT_EQ(by_itself.json()["friction"], 0.3) << "that of the lesson";
-  EXPECT_EQ(by_itself.code, by_itself.json()["holds"].get<bool>() ? 0 : 1) << by_itself.err;
-  // by the lesson's friction one copy holds and another one gives way, as its strands spring when they are let go of (knot.md)
-  const Said holds = swage({"pull", "last", "--friction", "0.5", "--json", "--store", store()});
+  const Said holds = swage({"pull", "last", "--at", "0", "--json", "--store", store()});
   EXPECT_EQ(holds.code, 0) << holds.err;
   const nlohmann::json said = holds.json();
   EXPECT_EQ(said["knot"], "2 -1 1");
-  EXPECT_EQ(said["friction"], 0.5);
+  EXPECT_EQ(said["friction"], 0.3) << "that of the lesson";
   EXPECT_TRUE(said["holds"]);
   EXPECT_GE(said["bears_N"].get<double>(), 0.1);
-  EXPECT_LT(said["slip_m"].get<double>(), 0.5e-3) << "0.5 mm is giving way";
+  EXPECT_LT(said["slip_m"].get<double>(), 0.25e-3) << "0.5 mm is giving way";
 
   const Said slips = swage({"pull", "last", "--friction", "0.05", "--store", store()});
   EXPECT_EQ(slips.code, 1) << "two strands that hardly rub";
