@@ -14,7 +14,7 @@ enum class Measure : size_t { kSuccess, kBears, kSlip, kOpens, kCount };
 inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskSuccess,
     {"pull.bears", "N", "Greatest tension that the loop has borne.", "max of the mean tension of both strands beside the pin", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_D},
-    {"pull.slip", "m", "Thread that has gone through the knot into its loop, from both sides together.", "max of the distance of the material at from and to, over that at the preload", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"pull.slip", "m", "Thread that has gone through the knot into its loop, from both sides together.", "max of the thread of the loop, over that at the preload", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"pull.opens", "m", "By how much the loop has opened, its stretch and straightened bends included.", "2 (way of the pin since the preload)", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
 };
 
