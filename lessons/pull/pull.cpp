@@ -162,7 +162,8 @@ class PullLesson final : public Lesson<PullParams> {
   // Tension is read in both strands beside the pin, this share of the loop from where it turns, or so many of its straight pieces. Nearer: the
   // piece that lies across the pin bears next to nothing. Farther: the place is in the knot.
   static constexpr double kBeside = 0.125, kPieces = 2;
-  // Distance of two strands in a knot, centre to centre, in diameters of the thread: normal 0.8 to 1.1. Larger: strands that only pass each other
+  // Distance of two strands in a knot, centre to centre, in diameters of the thread: normal 0.8 to 1.1. Larger: the loop ends where strands only
+  // pass each other. Smaller: it ends inside the knot.
   static constexpr double kThroat = 1.3;
   static constexpr int kLeast = 100, kMost = 600;  // places at which the thread is looked at
   static constexpr int kAlong = 2;                 // places by which that of the turn moves in a step, at most; normal: none

@@ -6,7 +6,6 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QListView>
 #include <QPainter>
 #include <QScreen>
 #include <QScrollArea>
@@ -45,21 +44,6 @@ TEST_F(FirstSight, ASmallScreenHasRoomForEverything) {
   EXPECT_FALSE(child<QPushButton>("cues")->isVisible());
   window->resize(1440, 900);
   EXPECT_TRUE(eventually([&] { return child<QPushButton>("cues")->isVisible(); }));
-}
-
-// The row of the chosen lesson was cut off by the lower edge of its list.
-TEST_F(FirstSight, TheChosenLessonStaysInSightWhereTheListGetsLow) {
-  launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/lessons/series")};
-  open();
-  window->resize(1440, 900);
-  auto* list = child<QListView>("lessons");
-  ASSERT_GT(list->model()->rowCount(), 20);
-  list->setCurrentIndex(list->model()->index(list->model()->rowCount() - 5, 0));
-  for (const int height : {900, 700, 600, 800}) {
-    window->resize(1024, height);
-    ASSERT_TRUE(eventually([&] { return window->height() == std::max(height, window->minimumHeight()); }));
-    EXPECT_TRUE(eventually([&] { return list->viewport()->rect().contains(list->visualRect(list->currentIndex())); })) << height;
-  }
 }
 
 TEST_F(FirstSight, TheFirstStartStaysOnTheScreen) {

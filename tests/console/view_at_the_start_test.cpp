@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// From where a lesson is looked at first: its key "view", or the view that was asked for.
+// The lesson that is chosen: from where it is looked at first, its key "view" or the view that was asked for, and its row in the list.
 #include <QListView>
+#include <algorithm>
 
 #include "window_fixture.hpp"
 
@@ -34,6 +35,23 @@ TEST_F(ViewAtTheStart, AViewThatWasAskedForStaysWithTheFirstLesson) {
   open();
   ASSERT_TRUE(wait_for_preview());
   EXPECT_FALSE(is_from_above());
+}
+
+class ChosenLesson : public WindowTest {};
+
+// The row of the chosen lesson was cut off by the lower edge of its list.
+TEST_F(ChosenLesson, TheChosenLessonStaysInSightWhereTheListGetsLow) {
+  launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/lessons/series")};
+  open();
+  window->resize(1440, 900);
+  auto* list = child<QListView>("lessons");
+  ASSERT_GT(list->model()->rowCount(), 20);
+  list->setCurrentIndex(list->model()->index(list->model()->rowCount() - 5, 0));
+  for (const int height : {900, 700, 600, 800}) {
+    window->resize(1024, height);
+    ASSERT_TRUE(eventually([&] { return window->height() == std::max(height, window->minimumHeight()); }));
+    EXPECT_TRUE(eventually([&] { return list->viewport()->rect().contains(list->visualRect(list->currentIndex())); })) << height;
+  }
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The pull of the knot of an attempt that was passed. The knots are those of lesson 134, which are looked at for 10 ms and then passed: at a friction of 0.4
-// the square knot bears 87 mN, the granny 41.
+// the square knot bears 80 mN, the granny 34.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -78,7 +78,7 @@ TEST_F(KnotTestTest, OneThatGivesWayCostsPoints) {
   const Result r = run();
   ASSERT_EQ(r.outcome, judge::Outcome::kPassed) << r.reason << told(r.problems);
   const double bears = value(r, "knot.bears");
-  EXPECT_NEAR(bears, 41e-3, 5e-3) << "N";
+  EXPECT_NEAR(bears, 34e-3, 5e-3) << "N";
   EXPECT_DOUBLE_EQ(value(r, "points.pull"), kPoints * (1 - bears / 60e-3));
   EXPECT_DOUBLE_EQ(r.score, 100 - kPoints * (1 - bears / 60e-3));
 }
