@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 // What is laid is bent more than it would be by itself: in oil it finds its shape without passing through itself. Viscosity at first, and
-// the time in which it falls to a third [Pa s, s]; after twenty times that it is as thin as air [Pa s], and remains so: with no viscosity
-// left, after 14.6 s, the Reynolds number has no bound.
-constexpr double kOil = 1e4, kThins = 0.02, kThin = 1.8e-5;
+// the time in which it falls to a third [Pa s, s]; after twenty times that it is as thin as air. At last it is so thin that only the inertia
+// of the fluid drags; rounded to nothing, after 14.6 s, it would make the Reynolds number infinite.
+constexpr double kOil = 1e4, kThins = 0.02, kThinnest = 1e-100;
 
 /// The centre line as it is laid, in small steps. In the braid the strands are at +-D/2 (cos phi, sin phi) about the line midway between
 /// tail and loop, D the distance between these, phi from -90 degrees on the left, tail below loop, to +90 degrees on the right.
@@ -103,7 +103,7 @@ void OpenKnot::step() {
   const toolkit::RodState s = rod_->state();
   before_.assign(s.x, s.x + 3 * n_);
   Eigen::Map<Vec3>(s.v) = Vec3(-speed_, 0, 0), Eigen::Map<Vec3>(s.v + 3 * (n_ - 1)) = Vec3(speed_, 0, 0);
-  rod_->fluid = {1000, kThin + kOil * std::exp(-time_ / kThins)};
+  rod_->fluid = {1000, std::max(kThinnest, kOil * std::exp(-time_ / kThins))};
   time_ += world_.dt;
   solve_->free_motion(world_);
   rod_->advance();
