@@ -45,7 +45,7 @@ struct Memory {
 /// The loop at this step.
 struct Loop {
   double tension = 0;   // N, mean of both strands
-  double length = 0;    // m, of thread
+  double length = 0;    // m, of thread; not looked for before the preload
   bool parted = false;
 };
 
@@ -136,8 +136,9 @@ class PullLesson final : public Lesson<PullParams> {
     const double at = turn * thread.apart, beside = std::max(kBeside * (params().to - params().from), kPieces * thread.apart);
     const auto before = strand_.place(step, at - beside), after = strand_.place(step, at + beside);
     if (!before || !after) return std::nullopt;
-    const double length = std::min(loop_length(thread, turn, kThroat * 2 * law->radius), law->length);
-    return Loop{0.5 * (before->tension + after->tension), length, before->parted != 0 || after->parted != 0};
+    Loop loop{0.5 * (before->tension + after->tension), 0, before->parted != 0 || after->parted != 0};
+    if (memory.begun != 0 || loop.tension >= params().preload) loop.length = std::min(loop_length(thread, turn, kThroat * 2 * law->radius), law->length);
+    return loop;
   }
   void look(Memory& memory, const Loop& loop, const Vec3& pin_W) const {
     Eigen::Map<Vec3> from_W(memory.pin_W);

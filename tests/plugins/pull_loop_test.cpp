@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The loop of a knot about a pin (lessons/pull/loop.hpp): a thread that goes round two pins and crosses itself, whose loop is known.
+// The loop of a knot about a pin (lessons/pull/loop.hpp): a thread that goes round a pin and crosses itself, whose loop is known.
 #include <gtest/gtest.h>
 
 #include <numbers>
