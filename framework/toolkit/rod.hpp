@@ -44,6 +44,18 @@ struct RodSection {
   }
 };
 
+/// Bending beyond which a rod stays bent (rod_flow.hpp).
+struct RodYield {
+  double curvature = 0;  // 1/m, at which its moment leaves the elastic line; 0: it never does
+  double hardening = 0;  // share of its stiffness that is left there, 0 to 1
+
+  /// Of a round section whose material yields at a strain of `strain`. The moment of a section that yields throughout is 16 / (3 pi) of
+  /// that at first yield; the curvature is where the elastic line reaches it.
+  static RodYield round(double diameter, double strain, double hardening) {
+    return {16 / (3 * std::numbers::pi) * strain / (0.5 * diameter), hardening};
+  }
+};
+
 /// State that lasts from step to step, in size(n) numbers of the caller.
 struct RodState {
   int n = 0;
@@ -129,6 +141,14 @@ class Rod {
   /// Holds the rotation of an edge about its axis.
   void hold_turn(int edge, bool on = true) { turn_held_[at(edge)] = on; }
 
+  /// Bends to natural curvatures of the caller from here on, two numbers a node (rod_flow.hpp), which must outlast their use; nullptr: to
+  /// `memory` again.
+  void remember(const double* set) { set_ = set; }
+  /// Sets those to `memory`.
+  void start_set(double* set) const;
+  /// Lets joints flow that are bent beyond `yield`, between two steps: `set` follows. Twist and stretch do not flow.
+  void flow(const RodState& s, const RodYield& yield, double* set) const;
+
   /// Sets directors without twist and zero velocities; s.x is given.
   void start(RodState& s) const;
   /// Updates the twist at the clamps after one has turned, by less than half a turn.
@@ -195,6 +215,8 @@ class Rod {
     double inverse;  // 1/m
   };
   using Derivatives = JointDerivatives<Ones>;
+  bool curved() const { return memory_ != 0 || set_ != nullptr; }
+  double remembered(int i) const;
   static Edge along(const Vec3& e);
   Edge edge(const RodState& s, int j) const { return along(s.edge(j)); }
   Edge found(int j) const { return {now_.t(at(j)), now_.inverse(at(j))}; }
@@ -262,6 +284,7 @@ class Rod {
   double memory_ = 0;                          // 1/m
   std::vector<double> rest_, mass_, tension_;  // m, kg, N
   std::vector<double> remembered_;             // of each joint: natural curvature times its length
+  const double* set_ = nullptr;                // of the caller, in their place
   std::vector<char> held_, turn_held_, cut_;
   RodClamp clamp_[2];
 
@@ -282,5 +305,6 @@ class Rod {
 
 #include "toolkit/rod_derivatives.hpp"
 #include "toolkit/rod_energy.hpp"
+#include "toolkit/rod_flow.hpp"
 #include "toolkit/rod_surroundings.hpp"
 #include "toolkit/rod_step.hpp"

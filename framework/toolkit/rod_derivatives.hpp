@@ -18,13 +18,20 @@ template <class V>
   const V l = 0.5 * (before + after);
   j.bend = section_.bending / l, j.turn = section_.twisting / l;
   j.twist.load(s.twist + i);
-  if (memory_ != 0) {
-    V remembered;
-    remembered.load(&remembered_[at(i)]);
-    j.Ke = remembered * vectors(V{}, s.director + 3 * (i - 1)), j.Kf = remembered * vectors(V{}, s.director + 3 * i);
+  const bool curved = this->curved();
+  if (curved) {
+    const Three<V> de = vectors(V{}, s.director + 3 * (i - 1)), df = vectors(V{}, s.director + 3 * i);
+    V a, b;
+    if (set_ == nullptr) {
+      a.load(&remembered_[at(i)]);
+      j.Ke = a * de, j.Kf = a * df;
+    } else {
+      a.load(set_ + 2 * i, 2), b.load(set_ + 2 * i + 1, 2);
+      j.Ke = a * de + b * j.te.cross(de), j.Kf = a * df + b * j.tf.cross(df);
+    }
   }
   JointDerivatives<V> d;
-  j.differentiate(memory_ != 0, second, d);
+  j.differentiate(curved, second, d);
   RodAssembly::set(d, place, second, parts_.joint);
 }
 
@@ -33,7 +40,7 @@ inline void Rod::take_joint(const RodState& s, int i, int place, bool second) co
   Derivatives d{};
   if (i >= 0 && i < n_ && has_joint(i)) {
     joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : found(i - 1), i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : found(i))
-        .differentiate(memory_ != 0, second, d);
+        .differentiate(curved(), second, d);
     if (i == 0) d.e = {}, d.te = {}, d.ee = {}, d.e_te = {}, d.te_te = {};
     if (i == n_ - 1) d.f = {}, d.tf = {}, d.ff = {}, d.f_tf = {}, d.tf_tf = {};
     if (i == 0 || i == n_ - 1) d.ef = {}, d.e_tf = {}, d.f_te = {}, d.te_tf = {};

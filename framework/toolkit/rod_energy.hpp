@@ -83,10 +83,14 @@ inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const 
   const double l = joint_length(i);
   j.bend = {section_.bending / l}, j.turn = {section_.twisting / l};
   j.twist = {s.twist[i]};
-  if (memory_ != 0) {
-    // the binormal of the circle to which the rod would bend
-    j.Ke = three(remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1)));
-    j.Kf = three(remembered_[at(i)] * (last ? clamp_[1].director : s.material(i)));
+  if (!curved()) return j;
+  // the binormal of the circle to which the rod would bend
+  const Vec3 de = first ? clamp_[0].director : s.material(i - 1), df = last ? clamp_[1].director : s.material(i);
+  if (set_ == nullptr) {
+    j.Ke = three(remembered_[at(i)] * de), j.Kf = three(remembered_[at(i)] * df);
+  } else {
+    const double a = set_[2 * i], b = set_[2 * i + 1];
+    j.Ke = three(a * de + b * e.t.cross(de)), j.Kf = three(a * df + b * f.t.cross(df));
   }
   return j;
 }
@@ -100,7 +104,7 @@ inline double Rod::energy(const RodState& s) const {
   }
   if (section_.bending > 0)
     for (int i = 0; i < n_; ++i)
-      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0).x;
+      if (has_joint(i)) E += joint(s, i).energy(curved()).x;
   return E;
 }
 

@@ -166,8 +166,8 @@ inline void Rod::shift_diagonal(int stiffer, double* columns) {
 /// greater (bent by k against its natural curvature a rod is at a maximum of energy, with the second derivative -EI k m per length); and
 /// so much that their torque does not turn them beyond the range of the linear model.
 inline void Rod::slow_turns(const RodState& s, double* columns) {
-  const double remembered = std::abs(memory_);
   for (int j = 0; j < edges(); ++j) {
+    const double remembered = std::max(this->remembered(j), this->remembered(j + 1));
     double k = remembered;
     for (const int i : {j, j + 1})
       if (remembered > 0 && has_joint(i)) k = std::max(k, curvature(s, i));

@@ -17,6 +17,8 @@ struct Suture {
   double memory = 0;       // 1/m
   double strength = 0.19;  // N
   double pull_off = 0.14;  // N
+  double yield = 0;        // strain of its surface beyond which it stays bent; 0: it never does
+  double hardening = 0;    // share of its bending stiffness that is left there
 };
 
 /// Reads a library entry over `suture`. Returns "" or what is wrong.

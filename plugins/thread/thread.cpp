@@ -131,6 +131,8 @@ bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
   if (p.memory >= 0) suture_.memory = p.memory;
   if (p.strength > 0) suture_.strength = p.strength;
   if (p.pull_off > 0) suture_.pull_off = p.pull_off;
+  if (p.yield >= 0) suture_.yield = p.yield;
+  if (p.hardening >= 0) suture_.hardening = p.hardening;
   if (const std::string wrong = fault(suture_); !wrong.empty()) builder.error("suture", wrong);
   const double l = p.length / p.segments;
   if (shortest() < suture_.diameter)
@@ -152,6 +154,7 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   const bool rod = params.level == Level::kRod || params.level == Level::kReference;
   if (!rod) section.bending = section.twisting = 0;
   rod_ = toolkit::Rod(section, lengths_, rod ? suture_.memory : 0);
+  yield_ = rod ? toolkit::RodYield::round(suture_.diameter, suture_.yield, suture_.hardening) : toolkit::RodYield{};
   if (params.first == End::kFixed) rod_.hold(0);
   if (params.last == End::kFixed) rod_.hold(params_.segments);
   if (!lay_start(params_, builder)) return;
@@ -180,7 +183,7 @@ void Thread::declare(ObjectBuilder& builder) {
   const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * shortest());
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {masses() ? uint32_t{SWAGE_CHAIN_SPHERES} : uint32_t{SWAGE_CHAIN_SEGMENTS}, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
-  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + (several() ? 5 : 4));
+  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + (stays_bent() ? 2 * vertices() : 0) + (several() ? 5 : 4));
   point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), vertices() + kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");
   tension_last_ = builder.signal("thread.tension_last", "N", "Tension at the last end.");
@@ -208,6 +211,7 @@ void Thread::reset(const Step& step) {
   }
   passed(step) = 0, held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);
+  if (stays_bent()) rod_.start_set(set(step));
   start_frames(s, start_O, X_WO.q);
 }
 

@@ -45,12 +45,13 @@ struct ThreadParams {
   double memory = -1;    // 1/m
   double strength = 0;   // N
   double pull_off = 0;   // N
+  double yield = -1, hardening = -1;
 };
 
 class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand, public StrandNodes, public StrandLine, public Cuttable {
  public:
   static constexpr auto id = "swage.object.thread";
-  static constexpr auto version = "1.0.0";
+  static constexpr auto version = "1.1.0";
   static constexpr auto name = "Thread";
   static constexpr auto summary =
       "A suture: a thin elastic rod that stretches, bends and twists, in air or under water; touches, is held, and "
@@ -112,6 +113,12 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                     "Pull that draws it out of the needle to which it is swaged. 10-0: about 140 mN. 0: as the "
                                     "suture says.")
           .group("Material"),
+      real<&ThreadParams::yield>("yield", "Yield strain", "1", "1", -1, 1,
+                                 "Strain of its surface beyond which it stays bent. 0: it never does. Below 0: as the suture says.")
+          .group("Material"),
+      real<&ThreadParams::hardening>("hardening", "Hardening", "1", "1", -1, 0.95,
+                                     "Share of its stiffness against bending that is left there. Below 0: as the suture says.")
+          .group("Material"),
   };
   static constexpr std::array traits{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_STRAND_NODES, SWAGE_TRAIT_STRAND_LINE, SWAGE_TRAIT_CUTTABLE};
 
@@ -156,6 +163,9 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
     double* all = step.state().data();
     return {nodes(), all, all + ChainState::doubles(vertices())};
   }
+  bool stays_bent() const { return yield_.curvature > 0; }
+  /// Natural curvatures of the nodes, where it stays bent.
+  double* set(const Step& step) const { return step.state().data() + ChainState::doubles(vertices()) + toolkit::RodState::frames(nodes()); }
   /// How often it has passed through itself.
   double& passed(const Step& step) const { return step.state()[step.state().size() - 4]; }
   /// What lasts beside: whether contacts pushed in the last step, and the first and last of the neighbouring edges that were pressed
@@ -213,6 +223,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   ThreadParams params_;
   Suture suture_;
   toolkit::Rod rod_;
+  toolkit::RodYield yield_;
   toolkit::Pose X_OB0_;
   std::vector<std::vector<toolkit::Vec3>> starts_;  // m, O: nodes of each start shape; of the first but where there are several
   std::vector<double> s_, lengths_;  // m, arc lengths of the nodes, and what is between them

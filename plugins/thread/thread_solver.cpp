@@ -50,6 +50,7 @@ void Thread::advance(const Step& step) {
   const bool goes_on = held(step) != 0;
   held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);
+  if (stays_bent()) rod_.flow(s, yield_, set(step)), rod_.remember(set(step));
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   begun.copy(s);
   feel_charge(step);

@@ -83,6 +83,7 @@ class Rig {
     detector_ = std::make_unique<contact::Detector>(world_, std::vector<contact::Pair>{{0, 0, law}}, options);
     solve_ = std::make_unique<dynamics::Dynamics>(world_, dynamics::Options());
     detector_->reserve(contacts_);
+    if (test.yield > 0) rod_.set_yield(toolkit::RodYield::round(test.diameter, test.yield, test.hardening));
     rod_.rod().cut(laid_.loop - 1), rod_.rod().cut(laid_.loop);
     const int nodes[] = {0, n_ - 1, laid_.loop - 1, laid_.loop + 1};
     for (int k = 0; k < 4; ++k) {

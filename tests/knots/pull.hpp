@@ -27,6 +27,7 @@ struct PullTest {
   double load = 0.1;          // N; more than `strength`: to breaking; 0: it is not pulled
   // of 10-0 nylon, as resources/threads has it
   double diameter = 22e-6, young = 2.5e9, poisson = 0.39, density = 1140, strength = 0.19;
+  double yield = 0, hardening = 0;  // strain at which it begins to stay bent, and the share of its stiffness left there; 0: it is elastic
   double stiffness = 5e4;    // N/m, of a contact of the thread with itself. 1e4: tight loops cut through each other at 20 mN
   double segment = 22e-6;    // m
   double unit = 55e-6;       // m, radius of the throws as they are laid: 2.5 diameters

@@ -30,10 +30,27 @@ class RodBody final : public FlexibleBody {
   void hold(int node) { rod_.hold(node), held_node_.push_back(node); }
   void let_go(int node) { rod_.hold(node, false), std::erase(held_node_, node); }
   toolkit::Rod& rod() { return rod_; }
+  /// Stays bent beyond `yield` from here on.
+  void set_yield(const toolkit::RodYield& yield) {
+    yield_ = yield;
+    set_.resize(static_cast<size_t>(2 * n_));
+    rod_.start_set(set_.data());
+    rod_.remember(set_.data());
+  }
   /// Drag of a surrounding fluid; none by default.
   toolkit::RodFluid fluid;
   /// Copies the state of another rod of the same form.
   void take(const RodBody& other) { frames_ = other.frames_, held_ = other.held_; }
+  /// What it keeps from step to step beside the state of the world.
+  struct Kept {
+    std::vector<double> frames, set;
+    bool held = false;
+  };
+  Kept kept() const { return {frames_, set_, held_}; }
+  void put_back(const Kept& kept) {
+    frames_ = kept.frames, held_ = kept.held;
+    std::copy(kept.set.begin(), kept.set.end(), set_.begin());  // the rod knows the place
+  }
   toolkit::RodLoad load() const {
     toolkit::RodLoad out;
     out.h = world_.dt, out.gravity = toolkit::vec(world_.gravity), out.fluid = fluid;
@@ -42,6 +59,7 @@ class RodBody final : public FlexibleBody {
 
   void advance() {
     toolkit::RodState s = state(), begun(n_, begun_.data()), base(n_, base_.data());
+    rod_.flow(s, yield_, set_.data());
     begun.copy(s);
     if (held_) {
       rod_.prepare(begun, load());
@@ -130,7 +148,8 @@ class RodBody final : public FlexibleBody {
   int n_;
   std::vector<int> held_node_;
   toolkit::Rod rod_;
-  std::vector<double> frames_, begun_, base_, side_;
+  toolkit::RodYield yield_;
+  std::vector<double> frames_, set_, begun_, base_, side_;
   std::span<const swage_chain_place> place_;
 };
 

@@ -85,6 +85,7 @@ class Differences {
 struct Kind {
   double memory, softer;
   int nodes = 6, cut = -1;
+  bool stays_bent = false;  // natural curvatures of its own at every node, in any direction
 };
 class RodDerivatives : public testing::TestWithParam<Kind> {};
 
@@ -93,6 +94,9 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
   section.stretching *= GetParam().softer;
   Tangled t(GetParam().nodes, section, GetParam().memory, 7);
   if (GetParam().cut >= 0) t.rod.cut(GetParam().cut);
+  std::vector<double> set(static_cast<size_t>(2 * GetParam().nodes));
+  for (double& k : set) k = std::uniform_real_distribution<double>(-0.2, 0.2)(t.random);
+  if (GetParam().stays_bent) t.rod.remember(set.data());
   std::vector<double> gradient(static_cast<size_t>(t.rod.unknowns()));
   t.rod.take_tension(t.s);
   Rod::Matrix H(t.rod.unknowns());
@@ -112,7 +116,8 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
           << i << " " << j;
 }
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
-                         testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}, Kind{80, 3e-5, 19}, Kind{80, 3e-5, 19, 13}));
+                         testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}, Kind{80, 3e-5, 19}, Kind{80, 3e-5, 19, 13},
+                                         Kind{0, 3e-5, 19, -1, true}, Kind{80, 3e-5, 19, 13, true}));
 
 TEST(RodCurvature, IsGreatestWhereItIsGreatest) {
   Tangled t(12, kNylon, 0, 3);
