@@ -8,6 +8,7 @@
 #include "host/call_watch.hpp"
 #include "host/guard.hpp"
 #include "host/services.hpp"
+#include "step/division.hpp"
 
 namespace swage::step {
 

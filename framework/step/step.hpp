@@ -116,7 +116,6 @@ class Engine {
   void done(Phase phase) noexcept;
 
   // substeps.cpp
-  static constexpr std::size_t kDivisions = 6;
   struct Begun {  // state before free motion
     std::vector<std::byte> state;
     base::SolverHealth health;
@@ -125,7 +124,6 @@ class Engine {
   void move(double rest = 0, std::size_t level = 0) noexcept;
   void begin(Begun& begun) noexcept;
   void take_back(const Begun& begun) noexcept;
-  bool fell_short(const Begun& begun, std::size_t level) noexcept;
   void follow_to(double rest) noexcept;
 
   void apply(const Command& command) noexcept;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "base/rng.hpp"
@@ -15,13 +16,15 @@ namespace handled_knot_test {
 
 OpenKnotTest handled() {
   OpenKnotTest t;
-  t.loop = 0.5e-3, t.tail = 3e-3, t.fine = t.coarse = 25e-6, t.turns_free = false;
+  t.loop = 0.5e-3, t.tail = 3e-3, t.fine = t.coarse = 25e-6, t.clamped = true;
   return t;
 }
 
 // S38: an overhand knot drawn tight and loose again and again, at random speeds up to 5 mm/s and with friction from 0 to 1, 10^6 steps in the
-// soak. Its linking number, which jumps by 2 where a strand passes through another, stays what it was.
+// soak. Its linking number, which jumps by 2 where a strand passes through another, stays what it was; between clamped ends nothing else
+// changes it. Steps are divided as in a lesson, 1.5 % of them: undivided, a loop that is pushed loose whips through itself after 41 585.
 TEST(HandledKnot, S38KeepsItsLinkingNumber) {
+  constexpr double kNear = 1e-3;  // m, of 4.6 from the middle of the thread to an end: nearer a loop may slip over it, which is no passage
   const int steps = std::getenv("SWAGE_SOAK_KNOT") ? 1000000 : 1000;
   base::Xoshiro256 random(38);
   OpenKnot knot(handled());
@@ -36,8 +39,10 @@ TEST(HandledKnot, S38KeepsItsLinkingNumber) {
     done += std::max(1, static_cast<int>(std::abs(each) / (speed * 1e-3)));
     ASSERT_EQ(knot.passages(), 0) << "after " << done << " steps";
     ASSERT_TRUE(std::isfinite(knot.pull()));
+    ASSERT_GT(knot.from_an_end(), kNear) << "after " << done << " steps";
   }
-  EXPECT_NEAR(knot.linking(), begun, 0.05);
+  std::printf("linking number %.6f, %.6f as laid; %llu divisions\n", knot.linking(), begun, static_cast<unsigned long long>(knot.divided()));
+  EXPECT_NEAR(knot.linking(), begun, 1e-3);
   EXPECT_LT(static_cast<double>(knot.not_converged()), 1e-3 * steps);
 }
 

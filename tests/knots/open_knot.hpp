@@ -7,7 +7,8 @@
 //                 (            )
 //     tail  -------\/\/ braid \/-------  tail        braid: two strands, 2 n + 1 half turns about each other
 //
-// It starts near its equilibrium. Both ends are held in their places and may turn about the thread. Units SI. Threads: [main].
+// Steps are divided as those of a lesson are (step/division.hpp). It starts near its equilibrium. Both ends are held in their places: hinged, so that they may turn about the thread, or clamped. Units SI.
+// Threads: [main].
 #pragma once
 
 #include <memory>
@@ -16,6 +17,7 @@
 #include "../unit/dynamics/rod_body.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
+#include "step/chain_watch.hpp"
 
 namespace swage::test {
 
@@ -32,7 +34,7 @@ struct OpenKnotTest {
   double diameter = 22e-6, young = 2.5e9, poisson = 0.39, density = 1140;
   double stiffness = 5e4;  // N/m, of a contact of the thread with itself
   double dt = 1e-3;        // s
-  bool turns_free = true;  // ends turn about the thread
+  bool clamped = false;    // ends keep their direction and do not turn about the thread
 };
 
 class OpenKnot {
@@ -44,6 +46,7 @@ class OpenKnot {
   /// Ends go apart (loosening: together) by so much each [m], at `speed` [m/s].
   void draw(double each, double speed);
   void set_friction(double mu) { friction_ = mu; }
+  /// A step of OpenKnotTest::dt, in parts where it is too far for one.
   void step();
 
   double pull() const;               // N, mean of the two ends
@@ -57,26 +60,39 @@ class OpenKnot {
   double strayed() const { return solve_->stats().strayed; }  // radii, of the last step: how far it went beyond what its contacts say
   size_t contacts() const { return bearing_; }
   double overlap() const { return overlap_; }
-  /// Twist and writhe of the thread, its ends joined far away [turns]: constant while they do not turn and nothing passes.
+  /// Twist and writhe of the thread, its ends joined far away [turns]: constant while clamped ends hold and nothing passes.
   double linking() const;
+  double from_an_end() const;  // m, along the thread from the farthest part of the loop to the nearer end
+  uint64_t divided() const { return divided_; }  // steps, and parts of steps, that were done in parts
   int nodes() const { return n_; }
   Vec3 node(int i) const { return const_cast<OpenKnot*>(this)->rod_->state().node(i); }
   toolkit::Rod& rod() { return rod_->rod(); }
 
  private:
+  struct Begun {  // what a step starts from
+    std::vector<std::byte> state;
+    dynamics::RodBody::Kept rod;
+    base::SolverHealth health;
+  };
   int apex() const;
+  Begun begin() const;
+  void take_back(const Begun& begun);
+  void move(std::size_t level);
+  void move_whole();
 
   OpenKnotTest test_;
   std::vector<Vec3> laid_;
   scene::World world_;
   std::unique_ptr<dynamics::RodBody> rod_;
   int n_ = 0;
-  std::vector<double> boxes_, before_;
+  std::vector<double> boxes_, before_;  // of passages
   std::unique_ptr<contact::Detector> detector_;
   std::unique_ptr<dynamics::Dynamics> solve_;
+  std::unique_ptr<step::ChainWatch> watch_;
   contact::ContactSet contacts_;
   double friction_ = 0, speed_ = 0, overlap_ = 0, pressing_ = 0, time_ = 0;
   int passages_ = 0;
+  uint64_t divided_ = 0;
   size_t bearing_ = 0;
 };
 
