@@ -26,7 +26,7 @@ namespace swage::toolkit {
 /// Force over speed of a sphere [N s/m].
 inline double sphere_drag(const RodFluid& fluid, double diameter, double speed) {
   if (!(fluid.viscosity > 0)) return 0;
-  const double Re = fluid.density * speed * diameter / fluid.viscosity;
+  const double Re = std::min(fluid.density * speed * diameter / fluid.viscosity, kMostReynolds);
   return 3 * std::numbers::pi * fluid.viscosity * diameter * (1 + 0.15 * std::pow(Re, 0.687));
 }
 

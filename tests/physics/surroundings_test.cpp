@@ -26,6 +26,16 @@ TEST(Fluid, drag_of_a_thread) {
   EXPECT_NEAR(rod_drag(kWater, kDiameter, 10e-3), 3.57e-3, 0.01 * 3.57e-3);
 }
 
+// a viscosity that is rounded to nothing makes the Reynolds number infinite, and the drag stays that of inertia or less
+TEST(Fluid, drag_without_viscosity_is_bounded) {
+  for (const double viscosity : {1e-12, 1e-100, 1e-310, 5e-324}) {
+    const double inertia = 0.5 * 1000 * kDiameter * 10e-3 * 1.11 * 1.01;  // C_D = 1.11 far beyond the drag crisis, which the law leaves out
+    EXPECT_LE(rod_drag({1000, viscosity}, kDiameter, 10e-3), inertia) << viscosity;
+    EXPECT_GE(rod_drag({1000, viscosity}, kDiameter, 10e-3), 0) << viscosity;
+    EXPECT_TRUE(std::isfinite(sphere_drag({1000, viscosity}, kDiameter, 10e-3))) << viscosity;
+  }
+}
+
 /// Rate at which a thread at 10 mm/s broadside loses its speed [1/s].
 double slowing(const RodFluid& fluid) {
   constexpr double h = 1e-6, v = 10e-3;
