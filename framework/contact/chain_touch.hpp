@@ -23,11 +23,10 @@ inline void share_chain_touches(const scene::World& world, const ContactMemory& 
   constexpr double kWeightKept = 1.0 / 3;
 
   const auto is_touch = [](const Contact& c) { return (c.feature & 0xF) == 0; };
-  const auto chain_of = [&](const Contact& c) { return world.shape[c.shape_a].kind == SWAGE_SHAPE_CHAIN ? c.shape_a : c.shape_b; };
   for (size_t i = first; i < set.contact.size(); ++i) {
     Contact& c = set.contact[i];
     if (!is_touch(c)) continue;
-    const double near = kShare * world.shape[chain_of(c)].radius;
+    const double near = kShare * chain_of(world, c).radius;
     double all = 0;
     for (size_t k = first; k < set.contact.size(); ++k) {
       const Contact& other = set.contact[k];

@@ -15,10 +15,6 @@ bool bears(const Contact& c) { return !c.f_a_W.isZero(0) || !c.bristle_W.isZero(
 
 bool of_same_shapes(const Contact& a, const Contact& b) { return a.shape_a == b.shape_a && a.shape_b == b.shape_b; }
 
-double radius_of_chain(const scene::World& world, const Contact& c) {
-  return world.shape[world.shape[c.shape_a].kind == SWAGE_SHAPE_CHAIN ? c.shape_a : c.shape_b].radius;
-}
-
 }  // namespace
 
 ContactMemory::ContactMemory(uint32_t capacity, size_t pairs) : heir_of_(capacity, scene::kNone) {
@@ -70,7 +66,7 @@ const Contact* ContactMemory::predecessor_along(const scene::World& world, Conta
     if (old.feature == contact.feature) {
       if (bears(old)) return &old;
       // the contact existed without load: only its immediate neighbours count
-      nearest = std::min(nearest, radius_of_chain(world, old));
+      nearest = std::min(nearest, chain_of(world, old).radius);
       if (best != nullptr && way_along(*best, contact) > nearest) best = nullptr;
       continue;
     }

@@ -15,12 +15,17 @@
 
 namespace swage::contact {
 
-/// A contact takes over from another only if the cosine between their normals is at least this: from one face of a jaw to its edge,
-/// not from one jaw to the other.
+/// Least cosine between the normals of two contacts of which one takes over from the other, or which share a weight (chain_touch.hpp): a
+/// face of a jaw and its edge do, two jaws do not. Larger: friction is forgotten at an edge. Smaller: one jaw inherits the other's.
 inline constexpr double kAlike = 0.7;
 
 /// Whether a contact is on a chain.
 inline bool on_chain(const Contact& c) noexcept { return c.place_a.segment != scene::kNone || c.place_b.segment != scene::kNone; }
+
+/// The chain of a contact on a chain: that of side a where both sides are chains.
+inline const scene::Shape& chain_of(const scene::World& world, const Contact& c) noexcept {
+  return world.shape[world.shape[c.shape_a].kind == SWAGE_SHAPE_CHAIN ? c.shape_a : c.shape_b];
+}
 
 /// Distance along the chain between two contacts of the same shapes [m]; the greater one where both shapes are chains.
 inline double way_along(const Contact& a, const Contact& b) noexcept {

@@ -22,7 +22,7 @@ inline void Rod::start_set(double* set) const {
 
 /// Natural curvature of a joint [1/m].
 inline double Rod::remembered(int i) const {
-  return set_ == nullptr ? std::abs(memory_) : std::hypot(set_[2 * i], set_[2 * i + 1]) / joint_length(i);
+  return set_ == nullptr ? std::abs(memory_) : std::sqrt(set_[2 * i] * set_[2 * i] + set_[2 * i + 1] * set_[2 * i + 1]) / joint_length(i);
 }
 
 inline void Rod::flow(const RodState& s, const RodYield& yield, double* set) const {
@@ -38,7 +38,7 @@ inline void Rod::flow(const RodState& s, const RodYield& yield, double* set) con
     const double from[2] = {yield.hardening * remembered_[at(i)], 0};
     double away[2];  // k - kp
     for (int r = 0; r < 2; ++r) away[r] = now[r] - (set[2 * i + r] - from[r]) / (1 - yield.hardening);
-    const double size = std::hypot(away[0], away[1]);
+    const double size = std::sqrt(away[0] * away[0] + away[1] * away[1]);
     if (!(size > most)) continue;
     for (int r = 0; r < 2; ++r) set[2 * i + r] += (1 - yield.hardening) * (1 - most / size) * away[r];
   }
