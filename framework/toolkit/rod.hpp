@@ -47,7 +47,7 @@ struct RodSection {
 /// Bending beyond which a rod stays bent (rod_flow.hpp).
 struct RodYield {
   double curvature = 0;  // 1/m, at which its moment leaves the elastic line; 0: it never does
-  double hardening = 0;  // share of its stiffness that is left there, 0 to 1
+  double hardening = 0;  // share of its stiffness that is left there, from 0 to less than 1
 
   /// Of a round section whose material yields at a strain of `strain`. The moment of a section that yields throughout is 16 / (3 pi) of
   /// that at first yield; the curvature is where the elastic line reaches it.
