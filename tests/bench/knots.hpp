@@ -13,6 +13,7 @@ struct KnotsWanted {
   std::string only;   // knots whose name begins so
   double load = 0.1;  // N
   bool quick = false;  // one pretension, three frictions
+  double yield = 0, hardening = 0;  // strain beyond which the thread stays bent, 0: never; share of its stiffness that is left there
   std::vector<double> pretensions, frictions;  // N, 1; none: those of the command
   std::string command;                         // as it was given, but for the folder
 };

@@ -182,7 +182,9 @@ int main(int argc, char** argv) {
   KnotsWanted knots_wanted;
   auto* knots = app.add_subcommand("knots", "pulls knots that are drawn tight: which hold, over friction and pretension; exits 1 when a pull is not to be trusted");
   knots->add_option("--out", knots_wanted.out, "folder for table and charts; none are written without it");
-  knots->add_option("--only", knots_wanted.only, "knots whose name begins so: half, granny, square, surgeon");
+  knots->add_option("--only", knots_wanted.only, "knots whose name begins so: half, granny, square, surgeon, sliding");
+  knots->add_option("--yield", knots_wanted.yield, "strain beyond which the thread stays bent; 0: never")->check(CLI::Range(0.0, 1.0));
+  knots->add_option("--hardening", knots_wanted.hardening, "share of its stiffness that is left there")->check(CLI::Range(0.0, 0.95));
   knots->add_option("--load", knots_wanted.load, "N; more than 0.19 pulls to breaking")->capture_default_str();
   knots->add_flag("--quick", knots_wanted.quick, "one pretension, three frictions");
   knots->add_option("--pretensions", knots_wanted.pretensions, "N, with which they are drawn tight");

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/state_image.hpp"
-#include "step/division.hpp"
 #include "toolkit/knot/writhe.hpp"
 #include "toolkit/rod_passage.hpp"
 
@@ -94,8 +92,8 @@ OpenKnot::OpenKnot(const OpenKnotTest& test)
   const contact::Law law{test.friction, test.stiffness, 0};
   detector_ = std::make_unique<contact::Detector>(world_, std::vector<contact::Pair>{{0, 0, law}}, options);
   solve_ = std::make_unique<dynamics::Dynamics>(world_, dynamics::Options());
-  watch_ = std::make_unique<step::ChainWatch>(world_, *detector_);
   detector_->reserve(contacts_);
+  steps_ = std::make_unique<dynamics::DividedSteps>(world_, *rod_, *detector_, *solve_, contacts_);
   for (const int end : {0, n_ - 1}) rod_->hold(end);
   if (!test.clamped) return;
   for (const int next : {1, n_ - 2}) rod_->hold(next);
@@ -103,8 +101,13 @@ OpenKnot::OpenKnot(const OpenKnotTest& test)
 }
 
 void OpenKnot::step() {
+  const toolkit::RodState s = rod_->state();
   rod_->fluid = {1000, std::max(kAir, kOil * std::exp(-time_ / kThins))};
-  move(0);
+  const auto friction = [&] {
+    for (contact::Contact& c : contacts_.contact) c.law.friction = friction_;
+  };
+  steps_->step([&] { begin_part(); }, friction,
+               [&] { passages_ += toolkit::passages(n_, before_.data(), s.x, [](int) { return true; }, boxes_); });
   time_ += world_.dt;
   bearing_ = 0, overlap_ = 0, pressing_ = 0;
   for (const contact::Contact& c : contacts_.contact) {
@@ -113,55 +116,11 @@ void OpenKnot::step() {
   }
 }
 
-/// A step of World::dt; `level`: how often that was divided.
-void OpenKnot::move(std::size_t level) {
-  const Begun begun = begin();
-  move_whole();
-  if (!step::fell_short(solve_->stats(), begun.health, level, *watch_, contacts_)) {
-    const toolkit::RodState s = rod_->state();
-    passages_ += toolkit::passages(n_, before_.data(), s.x, [](int) { return true; }, boxes_);
-    return;
-  }
-  take_back(begun);
-  ++divided_;
-  const double h = world_.dt;
-  world_.dt = h / step::kParts;
-  for (int part = 0; part < step::kParts; ++part) move(level + 1);
-  world_.dt = h;
-}
-
-void OpenKnot::move_whole() {
+void OpenKnot::begin_part() {
   const toolkit::RodState s = rod_->state();
   before_.assign(s.x, s.x + 3 * n_);
   for (int i = 0; i <= (test_.clamped ? 1 : 0); ++i)
     Eigen::Map<Vec3>(s.v + 3 * i) = Vec3(-speed_, 0, 0), Eigen::Map<Vec3>(s.v + 3 * (n_ - 1 - i)) = Vec3(speed_, 0, 0);
-  watch_->begin();
-  solve_->free_motion(world_);
-  rod_->advance();
-  detector_->detect(world_, contacts_);
-  watch_->keep();
-  for (contact::Contact& c : contacts_.contact) c.law.friction = friction_;
-  dynamics::FlexibleBody* const self[] = {rod_.get()};
-  solve_->solve(world_, contacts_, self);
-  solve_->finish(world_);
-}
-
-OpenKnot::Begun OpenKnot::begin() const {
-  Begun out{.state = {}, .rod = rod_->kept(), .health = solve_->stats().health};
-  const auto save = [&](scene::Writer& to) { scene::save(world_, to), solve_->save(to), detector_->save(contacts_, to); };
-  scene::Writer size;
-  save(size);
-  out.state.resize(size.size());
-  scene::Writer image(out.state);
-  save(image);
-  return out;
-}
-
-void OpenKnot::take_back(const Begun& begun) {
-  scene::Reader in(begun.state);
-  scene::restore(world_, in), solve_->restore(in), detector_->restore(contacts_, in);
-  solve_->take_back(begun.health);
-  rod_->put_back(begun.rod);
 }
 
 int OpenKnot::relax(int most, double share) {

@@ -14,10 +14,9 @@
 #include <memory>
 #include <vector>
 
-#include "../unit/dynamics/rod_body.hpp"
+#include "../unit/dynamics/divided_steps.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
-#include "step/chain_watch.hpp"
 
 namespace swage::test {
 
@@ -63,22 +62,14 @@ class OpenKnot {
   /// Twist and writhe of the thread, its ends joined far away [turns]: constant while clamped ends hold and nothing passes.
   double linking() const;
   double from_an_end() const;  // m, along the thread from the farthest part of the loop to the nearer end
-  uint64_t divided() const { return divided_; }  // steps, and parts of steps, that were done in parts
+  uint64_t divided() const { return steps_->divided(); }  // steps, and parts of steps, that were done in parts
   int nodes() const { return n_; }
   Vec3 node(int i) const { return const_cast<OpenKnot*>(this)->rod_->state().node(i); }
   toolkit::Rod& rod() { return rod_->rod(); }
 
  private:
-  struct Begun {  // what a step starts from
-    std::vector<std::byte> state;
-    dynamics::RodBody::Kept rod;
-    base::SolverHealth health;
-  };
   int apex() const;
-  Begun begin() const;
-  void take_back(const Begun& begun);
-  void move(std::size_t level);
-  void move_whole();
+  void begin_part();
 
   OpenKnotTest test_;
   std::vector<Vec3> laid_;
@@ -88,11 +79,10 @@ class OpenKnot {
   std::vector<double> boxes_, before_;  // of passages
   std::unique_ptr<contact::Detector> detector_;
   std::unique_ptr<dynamics::Dynamics> solve_;
-  std::unique_ptr<step::ChainWatch> watch_;
+  std::unique_ptr<dynamics::DividedSteps> steps_;
   contact::ContactSet contacts_;
   double friction_ = 0, speed_ = 0, overlap_ = 0, pressing_ = 0, time_ = 0;
   int passages_ = 0;
-  uint64_t divided_ = 0;
   size_t bearing_ = 0;
 };
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "../unit/dynamics/rod_body.hpp"
+#include "../unit/dynamics/divided_steps.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
 #include "toolkit/knot/reader.hpp"
@@ -83,6 +83,7 @@ class Rig {
     detector_ = std::make_unique<contact::Detector>(world_, std::vector<contact::Pair>{{0, 0, law}}, options);
     solve_ = std::make_unique<dynamics::Dynamics>(world_, dynamics::Options());
     detector_->reserve(contacts_);
+    steps_ = std::make_unique<dynamics::DividedSteps>(world_, rod_, *detector_, *solve_, contacts_);
     if (test.yield > 0) rod_.set_yield(toolkit::RodYield::round(test.diameter, test.yield, test.hardening));
     rod_.rod().cut(laid_.loop - 1), rod_.rod().cut(laid_.loop);
     const int nodes[] = {0, n_ - 1, laid_.loop - 1, laid_.loop + 1};
@@ -100,7 +101,7 @@ class Rig {
   PullResult run();
 
  private:
-  void step(PullPhase& phase);
+  void step(PullPhase& phase, double speed);
   void draw(double speed);
   void note(double us);
   /// Steps until done() or for so long [s].
@@ -130,6 +131,7 @@ class Rig {
   std::unique_ptr<contact::Detector> detector_;
   std::unique_ptr<dynamics::Dynamics> solve_;
   contact::ContactSet contacts_;
+  std::unique_ptr<dynamics::DividedSteps> steps_;
   End end_[4];  // tails, then legs
   std::ofstream trace_;
   PullResult result_;
@@ -145,7 +147,7 @@ class Rig {
 /// millimetre of thread.
 void Rig::draw(double speed) {
   const double section = 0.25 * M_PI * test_.diameter * test_.diameter;
-  const double per_newton = 0.3 * 1e-3 / (test_.young * section) / world_.dt;
+  const double per_newton = 0.3 * 1e-3 / (test_.young * section) / test_.dt;
   toolkit::RodState s = rod_.state();
   Eigen::Map<Vec3>(s.v + 3 * laid_.loop).setZero();
   for (const End& e : end_) {
@@ -155,25 +157,22 @@ void Rig::draw(double speed) {
   }
 }
 
-void Rig::step(PullPhase& phase) {
+/// A step, whose ends are drawn.
+void Rig::step(PullPhase& phase, double speed) {
   const toolkit::RodState s = rod_.state();
-  before_.assign(s.x, s.x + 3 * n_);
   const uint64_t failed = solve_->stats().health.total(), directions = solve_->stats().newton;
   const double begin = cpu_us();
-  solve_->free_motion(world_);
-  rod_.advance();
-  detector_->detect(world_, contacts_);
-  for (contact::Contact& c : contacts_.contact) c.law.friction = friction_;
-  dynamics::FlexibleBody* const self[] = {&rod_};
-  solve_->solve(world_, contacts_, self);
-  solve_->finish(world_);
+  const auto friction = [&] {
+    for (contact::Contact& c : contacts_.contact) c.law.friction = friction_;
+  };
+  const auto there = [&](int j) { return j != laid_.loop - 1 && j != laid_.loop; };
+  steps_->step([&] { before_.assign(s.x, s.x + 3 * n_), draw(speed); }, friction,
+               [&] { phase.passages += toolkit::passages(n_, before_.data(), s.x, there, boxes_); });
   us_.push_back(cpu_us() - begin);
   time_ += world_.dt;
   ++phase.steps;
   phase.not_converged += solve_->stats().health.total() - failed;
   phase.directions += solve_->stats().newton - directions;
-  const auto there = [&](int j) { return j != laid_.loop - 1 && j != laid_.loop; };
-  phase.passages += toolkit::passages(n_, before_.data(), s.x, there, boxes_);
   double most = 0, length = world_.chain[0].s.back();
   for (const contact::Contact& c : contacts_.contact) most = std::max(most, c.f_a_W.norm());
   double first = length, last = 0;
@@ -202,8 +201,7 @@ bool Rig::go(PullPhase& phase, double speed, double most, const Done& done) {
   const double begun = time_;
   while (time_ < begun + most) {
     rod_.fluid = {1000, kThin + test_.oil * std::exp(-time_ / test_.thins)};
-    draw(speed);
-    step(phase);
+    step(phase, speed);
     if (done()) return true;
   }
   return false;

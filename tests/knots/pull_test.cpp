@@ -73,32 +73,37 @@ PullResult sliding(double friction, double pretension, double load, double yield
   return r;
 }
 
-// S||S of Johanns et al. (Sci. Adv. 9, 2023), tied with 10 mN and let go: it springs open with friction 0.05, and rests in its word from 0.15
-// on. At 0.10, where theirs springs open, half a millimetre of its tails of 2.2 mm goes in. The force at which it slips afterwards does not
-// grow with the pretension, as theirs does with an exponent of 1.6: 9.0, 8.8 and 7.9 mN after 5, 10 and 20 mN with friction 0.2. Their filaments flow
-// where they are bent and stay tight; this one is elastic, and once let go the knot forgets what tied it (the next test). Sabater et al. (J. Mech. Phys.
-// Solids, 2026) find that growth without plasticity, but about a cylinder that is drawn along its axis through the filament: another test.
+// S||S of Johanns et al. (Sci. Adv. 9, 2023), tied with 10 mN and let go: with friction 0.05 and 0.08 it springs open, until a throw is undone,
+// and from 0.15 on it rests in its word. At 0.10, where theirs springs open, half a millimetre of its tails of 2.2 mm goes in.
 TEST(Soak, ASlidingKnotSpringsOpenWithLittleFriction) {
-  const PullResult open = sliding(0.05, 10e-3, 0), between = sliding(0.1, 10e-3, 0), rests = sliding(0.15, 10e-3, 0);
-  EXPECT_GT(open.sprung, 2e-3) << "m, of two tails of 1.1 mm and of the thread between the throws";
-  EXPECT_LT(rests.sprung, 0.4e-3) << "m";
-  EXPECT_GT(between.sprung, rests.sprung);
-  EXPECT_LT(between.sprung, open.sprung);
+  for (const double friction : {0.05, 0.08}) {
+    const PullResult open = sliding(friction, 10e-3, 0);
+    EXPECT_TRUE(open.certain) << friction;
+    EXPECT_FALSE(open.same_word) << friction << ": " << text(open.word);
+  }
+  const PullResult between = sliding(0.1, 10e-3, 0), rests = sliding(0.15, 10e-3, 0);
+  EXPECT_TRUE(between.same_word) << text(between.word);
+  EXPECT_GT(between.sprung, 0.4e-3) << "m, of two tails of 1.1 mm";
   EXPECT_TRUE(rests.same_word) << text(rests.word);
+  EXPECT_LT(rests.sprung, 0.4e-3) << "m";
 }
 
-// The same knot of a thread that stays bent beyond a strain of 5 %, as theirs do: after 10 mN it slips at as little as the elastic one, after
-// 40 mN it bears 30 times as much, and more with more friction (167 to 213 mN from 0.19 to 0.22). An elastic one that is drawn as tight springs
-// open through itself. The growth is theirs in kind: between 10 and 40 mN it is a jump (20 mN: 10 mN with friction 0.19, 183 with 0.2), and no
-// exponent can be read from it.
+// The force at which it slips afterwards grows with the pretension, theirs with an exponent of 1.6, as their filaments flow where they are bent:
+// so the title of their paper. An elastic one forgets what tied it: with friction 0.2 it bears 8.9, 8.8, 8.0, 6.5 and 0.4 mN after 5, 10, 20, 40
+// and 80 mN. One that stays bent beyond a strain of 5 % bears 5.0 mN after 10 mN and 192 and 184 after 40 and 80, and more with more friction. Between
+// them it is a jump (after 20 mN 10 with friction 0.19, 186 with 0.2; after 5 mN 174), and no exponent can be read from it. Sabater et al.
+// (J. Mech. Phys. Solids, 2026) find that growth without plasticity, but about a cylinder that is drawn along its axis through the filament.
 TEST(Soak, ASlidingKnotThatStaysBentBearsWhatTiedIt) {
-  const PullResult loose = sliding(0.2, 10e-3, 1, 0.05), tight = sliding(0.2, 40e-3, 1, 0.05), more = sliding(0.22, 40e-3, 1, 0.05),
-                   elastic = sliding(0.2, 10e-3, 1);
-  EXPECT_TRUE(tight.same_word) << text(tight.word);
-  EXPECT_LT(loose.most, 20e-3) << "N";
-  EXPECT_GT(tight.most, 0.15) << "N";
-  EXPECT_GT(more.most, tight.most);
-  EXPECT_LT(elastic.most, 20e-3) << "N";
+  const double elastic[] = {sliding(0.2, 10e-3, 1).most, sliding(0.2, 40e-3, 1).most, sliding(0.2, 80e-3, 1).most};
+  for (const double most : elastic) EXPECT_LT(most, 12e-3) << "N";
+  const PullResult loose = sliding(0.2, 10e-3, 1, 0.05), tight = sliding(0.2, 40e-3, 1, 0.05), tighter = sliding(0.2, 80e-3, 1, 0.05),
+                   more = sliding(0.22, 40e-3, 1, 0.05);
+  EXPECT_LT(loose.most, 12e-3) << "N";
+  for (const PullResult* r : {&tight, &tighter, &more}) {
+    EXPECT_TRUE(r->same_word) << text(r->word);
+    EXPECT_GT(r->most, 0.15) << "N";
+  }
+  EXPECT_GT(more.most, 1.05 * tight.most) << "it is friction that holds it";
 }
 
 // A square knot that stays bent lets none of its tails in, where the elastic one lets in 0.16 mm of each: friction 0.3, tied with 30 mN, 0.1 N.
