@@ -7,8 +7,8 @@
 //                 (            )
 //     tail  -------\/\/ braid \/-------  tail        braid: two strands, 2 n + 1 half turns about each other
 //
-// Steps are divided as those of a lesson are (step/division.hpp). It starts near its equilibrium. Both ends are held in their places: hinged, so that they may turn about the thread, or clamped. Units SI.
-// Threads: [main].
+// Steps are divided as those of a lesson are (step/division.hpp). It starts near its equilibrium. Both ends are held in their places: hinged,
+// so that they may turn about the thread, or clamped. Units SI. Threads: [main].
 #pragma once
 
 #include <memory>

@@ -245,6 +245,15 @@ TEST(Thread, SaysWhatIsWrongWithASuture) {
   EXPECT_NE(b.bench.declared.errors[0].find("is not a suture"), std::string::npos);
 }
 
+// a yield strain of less than a thousandth is a mistake of units, and one with all of its stiffness left would never stay bent
+TEST(Thread, RefusesAYieldThatIsNone) {
+  for (const auto& [yield, hardening, sound] : {std::tuple{0.0005, 0.3, false}, {0.001, 0.3, true}, {0.0, 0.0, true}, {0.05, 0.96, false}, {0.05, 0.95, true}}) {
+    Bench b;
+    b.bench.set("yield", yield), b.bench.set("hardening", hardening);
+    EXPECT_EQ(b.bench.start(), sound) << yield << " " << hardening;
+  }
+}
+
 TEST(Thread, RefusesACoilNarrowerThanItsSegments) {
   Bench b;
   b.bench.set("start", 2.0);
