@@ -4,6 +4,7 @@
 // Threads: [main].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,7 +19,11 @@ namespace swage::dynamics {
 class DividedSteps {
  public:
   DividedSteps(scene::World& world, RodBody& rod, contact::Detector& detector, Dynamics& solve, contact::ContactSet& contacts)
-      : world_(world), rod_(rod), detector_(detector), solve_(solve), contacts_(contacts), watch_(world, detector) {}
+      : world_(world), rod_(rod), detector_(detector), solve_(solve), contacts_(contacts), watch_(world, detector) {
+    scene::Writer size;
+    solve_.save(size);
+    for (Begun& begun : begun_) begun.state.resize(scene::image_size(world_) + size.size() + detector_.image_size());
+  }
 
   /// A step of World::dt. `prepare()`: before each part; `touch()`: after its contacts were detected; `done()`: after each part that counts.
   template <class Prepare, class Touch, class Done>
@@ -36,7 +41,7 @@ class DividedSteps {
 
   template <class Prepare, class Touch, class Done>
   void move(std::size_t level, const Prepare& prepare, const Touch& touch, const Done& done) {
-    const Begun begun = begin();
+    if (level < step::kDivisions) begin(begun_[level]);
     prepare();
     watch_.begin();
     solve_.free_motion(world_);
@@ -47,23 +52,19 @@ class DividedSteps {
     FlexibleBody* const self[] = {&rod_};
     solve_.solve(world_, contacts_, self);
     solve_.finish(world_);
-    if (!step::fell_short(solve_.stats(), begun.health, level, watch_, contacts_)) return done();
-    take_back(begun);
+    if (level >= step::kDivisions || !step::fell_short(solve_.stats(), begun_[level].health, level, watch_, contacts_)) return done();
+    take_back(begun_[level]);
     ++divided_;
     const double h = world_.dt;
     world_.dt = h / step::kParts;
     for (int part = 0; part < step::kParts; ++part) move(level + 1, prepare, touch, done);
     world_.dt = h;
   }
-  Begun begin() const {
-    Begun out{.state = {}, .rod = rod_.kept(), .health = solve_.stats().health};
-    const auto save = [&](scene::Writer& to) { scene::save(world_, to), solve_.save(to), detector_.save(contacts_, to); };
-    scene::Writer size;
-    save(size);
-    out.state.resize(size.size());
-    scene::Writer image(out.state);
-    save(image);
-    return out;
+  void begin(Begun& begun) const {
+    scene::Writer out(begun.state);
+    scene::save(world_, out), solve_.save(out), detector_.save(contacts_, out);
+    rod_.keep(begun.rod);
+    begun.health = solve_.stats().health;
   }
   void take_back(const Begun& begun) {
     scene::Reader in(begun.state);
@@ -78,6 +79,7 @@ class DividedSteps {
   Dynamics& solve_;
   contact::ContactSet& contacts_;
   step::ChainWatch watch_;
+  std::array<Begun, step::kDivisions> begun_;  // per level of division
   uint64_t divided_ = 0;
 };
 

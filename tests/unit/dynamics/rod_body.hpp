@@ -46,7 +46,7 @@ class RodBody final : public FlexibleBody {
     std::vector<double> frames, set;
     bool held = false;
   };
-  Kept kept() const { return {frames_, set_, held_}; }
+  void keep(Kept& kept) const { kept.frames = frames_, kept.set = set_, kept.held = held_; }
   void put_back(const Kept& kept) {
     frames_ = kept.frames, held_ = kept.held;
     std::copy(kept.set.begin(), kept.set.end(), set_.begin());  // the rod knows the place
